@@ -1,0 +1,31 @@
+#pragma once
+
+#include <compare>
+#include <string>
+
+#include "core/image/image.h"
+
+namespace ptb {
+
+/// Work-group of a launch: 0 x 0 is implicit (the runtime chooses), y == 0 is one-dimensional.
+struct WorkGroup {
+    int x = 0, y = 0;
+    bool implicit() const { return x == 0; }
+    bool two_dimensional() const { return y != 0; }
+    auto operator<=>(const WorkGroup&) const = default;
+};
+
+/// One point of the sweep. Plain data: two equal cases are the same work.
+struct Case {
+    std::string device;     ///< key of a DeviceInfo, "pocl:0"
+    std::string kernel;     ///< id in the integrator registry, "pt"
+    std::string scene;      ///< name of a shipped scene, or path of a scene file
+    Size size;              ///< pixels
+    int spp = 1;            ///< samples per pixel
+    int path_length = 128;  ///< most segments in a path, the camera's included
+    WorkGroup work_group;
+    int lanes = 0;  ///< rays traced together by one work-item: 1, 4, 8 or 16; 0 lets the device decide
+    auto operator<=>(const Case&) const = default;
+};
+
+}  // namespace ptb

@@ -1,0 +1,148 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/plan/case.h"
+
+namespace ptb {
+
+/// How a planned case ended. Every planned case ends as exactly one record.
+enum class Status { ok, invalid, unsupported, skipped, compile, runtime, timeout, crash, unstable };
+
+/// The work a case did, counted.
+struct Work {
+    std::uint64_t samples = 0;   ///< width x height x spp
+    std::uint64_t segments = 0;  ///< path segments traced, counted by the kernel
+    std::uint64_t full_length_paths = 0;
+    int lanes = 1;               ///< lane width that ran
+    int passes = 0;              ///< launches of the render kernel in one sample of time
+    std::int64_t longest_launch_ns = 0;
+    std::uint64_t device_bytes = 0;  ///< device memory asked for
+    bool operator==(const Work&) const = default;
+};
+
+/// What was built, and what it took.
+struct Build {
+    std::string options;
+    std::string kernel_hash;    ///< of the flattened text the driver saw
+    bool overridden = false;    ///< text came from --kernel-dir
+    double build_ms = 0;
+    double upload_ms = 0;
+    double readback_ms = 0;
+    std::int64_t first_launch_ns = 0;     ///< first launch of this work-group size; PoCL compiles then
+    std::uint64_t max_work_group = 0;     ///< CL_KERNEL_WORK_GROUP_SIZE
+    std::uint64_t preferred_multiple = 0;
+    std::uint64_t local_bytes = 0, private_bytes = 0;
+    std::string log;
+    bool operator==(const Build&) const = default;
+};
+
+/// One timed sample: a full render of the case's work. Nanoseconds.
+struct TimeSample {
+    std::int64_t kernel_ns = 0;  ///< length of the union of the launches' [START, END] intervals
+    std::int64_t sum_ns = 0;     ///< sum of the launches' END - START
+    std::int64_t host_ns = 0;    ///< host clock around the same work
+    std::int64_t queued_ns = 0;  ///< sum of SUBMIT - QUEUED
+    std::int64_t submit_ns = 0;  ///< sum of START - SUBMIT
+    std::string cause;           ///< empty, or why the sample is flagged: "timer_fault", ...
+    bool operator==(const TimeSample&) const = default;
+};
+
+/// Statistics over the samples' headline time, in nanoseconds.
+struct Statistics {
+    std::string timer;        ///< "event" or "host"
+    std::string timer_reason; ///< why not "event"
+    int n = 0;
+    double median_ns = 0, mad_ns = 0, mean_ns = 0, min_ns = 0, max_ns = 0, q1_ns = 0, q3_ns = 0;
+    std::optional<double> ci_low_ns, ci_high_ns;  ///< exact 95 % interval of the median; absent for small n
+    std::string stop_reason;  ///< "samples", "max_time", "max_total_time", "low_n"
+    double msamples_per_s = 0, msegments_per_s = 0;
+    bool operator==(const Statistics&) const = default;
+};
+
+/// What the checks before (and of) the timing found. Absent numbers were not tested.
+struct Validation {
+    bool valid = false;
+    std::string against;  ///< name of the reference, or what stood in for it
+    std::string reason;   ///< why invalid, one line
+    std::uint64_t samples = 0;
+    std::optional<double> max_abs_z, z_limit;  ///< worst pixel block and the family's limit
+    std::optional<double> mean_z;              ///< worst channel of the image mean, in combined standard errors
+    double segments_per_sample = 0;
+    std::optional<double> reference_segments_per_sample;
+    std::vector<std::string> checks;  ///< names of the checks that ran: "finite", "counts", "blocks", ...
+    bool operator==(const Validation&) const = default;
+};
+
+/// What became of one planned case. The one record type of protocol, journal and result file.
+struct Record {
+    Case params;
+    Status status = Status::skipped;
+    std::string reason;  ///< never empty unless ok: what a user can act on
+    std::optional<Work> work;
+    std::optional<Build> build;
+    std::vector<TimeSample> samples;
+    std::optional<Statistics> statistics;
+    std::optional<Validation> validation;
+    bool operator==(const Record&) const = default;
+};
+
+/// One OpenCL device, as far as anybody cares.
+struct DeviceInfo {
+    std::string key;       ///< "pocl:0": platform and index in it
+    int platform_index = 0, device_index = 0;  ///< position in `ptbench list`
+    std::string icd;       ///< the .icd file it was found through
+    std::string platform, platform_version;
+    std::string name, vendor, type;  ///< type: "CPU", "GPU", "accelerator", "other"
+    std::string version, driver_version, c_version, uuid;
+    int compute_units = 0, clock_mhz = 0, native_float_width = 0, default_lanes = 1;
+    std::uint64_t global_bytes = 0, max_alloc_bytes = 0, constant_bytes = 0, local_bytes = 0;
+    std::uint64_t max_work_group = 0;
+    std::vector<std::uint64_t> max_work_item_sizes;
+    std::uint64_t timer_resolution_ns = 0;
+    bool images = false, profiling = true;
+    std::string excluded;  ///< why it is not used ("the same device as ..."), or empty
+    bool operator==(const DeviceInfo&) const = default;
+};
+
+/// One ICD that could not be used.
+struct BrokenIcd {
+    std::string icd, reason;
+    bool operator==(const BrokenIcd&) const = default;
+};
+
+/// The facts of the host that a time depends on.
+struct HostInfo {
+    std::string hostname, os, kernel, cpu;
+    int cores = 0;
+    std::uint64_t memory_bytes = 0;
+    double load_1min = 0;
+    bool operator==(const HostInfo&) const = default;
+};
+
+/// What was run.
+struct RunInfo {
+    std::vector<std::string> argv;
+    std::string config, tool_version, git_sha, compiler, started_at;  ///< started_at: ISO 8601, UTC
+    bool git_dirty = false;
+    std::uint64_t seed = 0;
+    bool interrupted = false;
+    double wall_s = 0;
+    bool operator==(const RunInfo&) const = default;
+};
+
+/// A result file: the plan's facts and one record per planned case. Schema "ptbench.v1".
+struct ResultFile {
+    RunInfo run;
+    HostInfo host;
+    std::vector<DeviceInfo> devices;
+    std::vector<BrokenIcd> broken_icds;
+    std::vector<Record> cases;
+    std::vector<std::string> warnings;
+    bool operator==(const ResultFile&) const = default;
+};
+
+}  // namespace ptb

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "core/image/image.h"
+
+namespace ptb {
+
+/// An image that could not be read or written; one line with the file and the reason.
+struct ImageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// True when `write_image` knows the extension (.exr .pfm .png .ppm, in any case).
+bool is_image_file(const std::filesystem::path& file);
+
+/// Writes by extension: .exr and .pfm keep linear floats; .png (8 bit) and .ppm (P3, as the thesis wrote) are
+/// clamped to [0, 1] and square-root encoded (gamma 2). Written to a temporary name beside it, then renamed.
+/// Throws ImageError.
+void write_image(const std::filesystem::path& file, const Image& image);
+
+/// Several images of one size as named layers of one OpenEXR file ("mean" gives channels mean.R, mean.G, mean.B).
+void write_exr_layers(const std::filesystem::path& file, const std::map<std::string, Image>& layers);
+
+/// The layers of an OpenEXR file; plain R, G, B channels are the layer "". Throws ImageError.
+std::map<std::string, Image> read_exr_layers(const std::filesystem::path& file);
+
+}  // namespace ptb

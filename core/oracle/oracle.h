@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/image/image.h"
+#include "core/scene/scene.h"
+
+namespace ptb {
+
+/// What the host tracers leave: per pixel the mean radiance and the unbiased variance of one sample.
+struct OracleResult {
+    Image mean;
+    Image variance;
+    std::uint64_t samples = 0;
+    std::uint64_t segments = 0;           ///< path segments, the camera's and an escaping one included
+    double segments_variance = 0;         ///< unbiased variance of one sample's segment count
+    std::uint64_t full_length_paths = 0;  ///< paths that traced path_length segments
+};
+
+struct OracleJob {
+    Size size;
+    int spp = 1;
+    int path_length = 128;
+    std::uint64_t seed = 1;
+    int threads = 1;
+};
+
+/// Plain double-precision path tracer of the physically right estimator (the kernel `pt`'s truth): box-filtered
+/// pixels, exact dielectric Fresnel, cosine-weighted Lambert, no next-event estimation, no roulette.
+OracleResult trace_pt(const Scene& scene, const OracleJob& job);
+
+/// The thesis' algorithm with its defects (the kernel `thesis`' twin), in double precision.
+OracleResult trace_thesis(const Scene& scene, const OracleJob& job);
+
+}  // namespace ptb

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/vec3.h"
+
+namespace ptb {
+
+enum class MaterialType { matte, mirror, dielectric, emitter };
+
+/// One material of a scene. Colours are linear RGB; what a type does not use stays zero.
+struct Material {
+    std::string name;
+    MaterialType type = MaterialType::matte;
+    Vec3 albedo;       ///< matte; an emitter with an albedo also scatters like matte
+    Vec3 radiance;     ///< emitter, from both faces
+    Vec3 reflectance;  ///< mirror
+    double ior = 1;    ///< dielectric: index of refraction inside, vacuum outside
+    bool scatters = true;  ///< false for an emitter without an albedo: the path ends there
+};
+
+struct Sphere {
+    Vec3 centre;
+    double radius = 1;
+    int material = 0;  ///< index into Scene::materials
+};
+
+/// Perspective camera. `fov_deg` is the full angle across the image's width, pixels are square, rows run from
+/// the top, and the image's right is view x up (looking along +z with y up, +x lies on the left).
+struct Camera {
+    Vec3 position, look_at, up;
+    double fov_deg = 40;
+};
+
+/// A scene as its file states it: spheres in the file's order, lengths in scene units.
+struct Scene {
+    std::string name;
+    Camera camera;
+    std::vector<Material> materials;
+    std::vector<Sphere> spheres;
+};
+
+/// A scene file that cannot be used; `what()` is one line with the file, the JSON pointer, what was found and
+/// what is allowed.
+struct SceneError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Reads a scene from JSON text; `origin` names it in errors. Unknown keys are errors. Throws SceneError.
+Scene parse_scene(std::string_view json_text, const std::string& origin);
+
+/// Reads a scene file. Throws SceneError, also when the file cannot be read.
+Scene load_scene(const std::filesystem::path& file);
+
+}  // namespace ptb
