@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "bench/worker/protocol.h"
+
+namespace ptb {
+
+/// Answers requests for one device: the only part of `bench` that calls OpenCL (through `core`). Runs inside a
+/// worker process, or inside the coordinator under --no-isolate.
+class Session {
+  public:
+    using Send = std::function<void(const Response&)>;
+    virtual ~Session() = default;
+    /// Answers one request through `send`; never throws.
+    virtual void answer(const Request& request, const Send& send) = 0;
+};
+
+/// A session on the device with this key, among the ICDs that this process sees.
+std::unique_ptr<Session> make_session(const std::string& device_key);
+
+}  // namespace ptb
