@@ -1,0 +1,86 @@
+/* What a sphere is made of, looked up per lane. */
+#ifndef PTB_PT_SURFACE_H
+#define PTB_PT_SURFACE_H
+
+#include "lib/table.h"
+#include "pt/scene.h"
+
+typedef struct Surface {
+    Vec centre;
+    lanes_f inverse_radius;
+    Vec weight;   /* throughput factor of a bounce */
+    lanes_f ends; /* 1: the path ends here */
+    Vec radiance;
+    lanes_f matte; /* 1 matte, 0 mirror or dielectric */
+    lanes_f ior;   /* 0: no dielectric */
+    lanes_f side;  /* number of the two-sided sphere */
+} Surface;
+
+/* How a lane reaches its own row. Up to PT_TABLE_ROWS (16) spheres the rows lie in registers, a table a field, and one
+   permute serves all lanes; beyond, and with one lane, every lane loads its row from memory. Measured on two AVX-512
+   cores with PoCL (thesis scene, 16 lanes): see the room's README. */
+#if defined(PT_FEW_SPHERES) && TABLE_PERMUTES
+
+typedef struct Surfaces {
+    Table field[14];
+} Surfaces;
+
+static inline Surfaces surfaces_of(PT_SCENE_SPACE const PtSurface* rows, uint count) {
+    Surfaces s;
+    for (uint i = 0; i < TABLE_ROWS; ++i) {
+        const PtSurface row = rows[min(i, count - 1u)];
+        s.field[0].row[i] = row.centre_inverse_radius.x;
+        s.field[1].row[i] = row.centre_inverse_radius.y;
+        s.field[2].row[i] = row.centre_inverse_radius.z;
+        s.field[3].row[i] = row.centre_inverse_radius.w;
+        s.field[4].row[i] = row.weight.x;
+        s.field[5].row[i] = row.weight.y;
+        s.field[6].row[i] = row.weight.z;
+        s.field[7].row[i] = row.weight.w;
+        s.field[8].row[i] = row.radiance.x;
+        s.field[9].row[i] = row.radiance.y;
+        s.field[10].row[i] = row.radiance.z;
+        s.field[11].row[i] = row.radiance.w;
+        s.field[12].row[i] = row.optics.x;
+        s.field[13].row[i] = row.optics.y;
+    }
+    return s;
+}
+#define SURFACE_FIELD(surfaces, number, member, index) table_lookup(&(surfaces)->field[number], index)
+
+#else
+
+typedef struct Surfaces {
+    PT_SCENE_SPACE const PtSurface* rows;
+} Surfaces;
+
+static inline Surfaces surfaces_of(PT_SCENE_SPACE const PtSurface* rows, uint count) {
+    Surfaces s;
+    (void)count;
+    s.rows = rows;
+    return s;
+}
+#define SURFACE_FIELD(surfaces, number, member, index) LANES_GATHER((surfaces)->rows, index, member)
+
+#endif
+
+static inline Surface surface_of(const Surfaces* all, lanes_u sphere) {
+    Surface s;
+    s.centre.x = SURFACE_FIELD(all, 0, centre_inverse_radius.x, sphere);
+    s.centre.y = SURFACE_FIELD(all, 1, centre_inverse_radius.y, sphere);
+    s.centre.z = SURFACE_FIELD(all, 2, centre_inverse_radius.z, sphere);
+    s.inverse_radius = SURFACE_FIELD(all, 3, centre_inverse_radius.w, sphere);
+    s.weight.x = SURFACE_FIELD(all, 4, weight.x, sphere);
+    s.weight.y = SURFACE_FIELD(all, 5, weight.y, sphere);
+    s.weight.z = SURFACE_FIELD(all, 6, weight.z, sphere);
+    s.ends = SURFACE_FIELD(all, 7, weight.w, sphere);
+    s.radiance.x = SURFACE_FIELD(all, 8, radiance.x, sphere);
+    s.radiance.y = SURFACE_FIELD(all, 9, radiance.y, sphere);
+    s.radiance.z = SURFACE_FIELD(all, 10, radiance.z, sphere);
+    s.matte = SURFACE_FIELD(all, 11, radiance.w, sphere);
+    s.ior = SURFACE_FIELD(all, 12, optics.x, sphere);
+    s.side = SURFACE_FIELD(all, 13, optics.y, sphere);
+    return s;
+}
+
+#endif
