@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/plan/case.h"
+#include "core/ocl/device_info.h"
 
 namespace ptb {
 
@@ -88,24 +89,6 @@ struct Record {
     std::optional<Statistics> statistics;
     std::optional<Validation> validation;
     bool operator==(const Record&) const = default;
-};
-
-/// One OpenCL device, as far as anybody cares.
-struct DeviceInfo {
-    std::string key;       ///< "pocl:0": platform and index in it
-    int platform_index = 0, device_index = 0;  ///< position in `ptbench list`
-    std::string icd;       ///< the .icd file it was found through
-    std::string platform, platform_version;
-    std::string name, vendor, type;  ///< type: "CPU", "GPU", "accelerator", "other"
-    std::string version, driver_version, c_version, uuid;
-    int compute_units = 0, clock_mhz = 0, native_float_width = 0, default_lanes = 1;
-    std::uint64_t global_bytes = 0, max_alloc_bytes = 0, constant_bytes = 0, local_bytes = 0;
-    std::uint64_t max_work_group = 0;
-    std::vector<std::uint64_t> max_work_item_sizes;
-    std::uint64_t timer_resolution_ns = 0;
-    bool images = false, profiling = true;
-    std::string excluded;  ///< why it is not used ("the same device as ..."), or empty
-    bool operator==(const DeviceInfo&) const = default;
 };
 
 /// One ICD that could not be used.

@@ -21,6 +21,7 @@ typedef struct Unit {
     lanes_u sample;       /* the next one to start */
     lanes_u samples_left; /* not ended yet */
     lanes_u samples;
+    lanes_u taken; /* units so far */
     lanes_u segments, full_length_paths;
     Vec sum, squares;
 } Unit;
@@ -28,7 +29,7 @@ typedef struct Unit {
 static inline Unit no_unit(void) {
     const Vec zero = vec_of((float4)(0.0f));
     const lanes_u none = (lanes_u)(0u);
-    const Unit unit = {none, none, none, none, none, none, none, zero, zero};
+    const Unit unit = {none, none, none, none, none, none, none, none, zero, zero};
     return unit;
 }
 
@@ -46,9 +47,11 @@ static inline Path no_path(void) {
 static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, volatile __global uint* queue,
                                     const PtLaunch* launch) {
     lanes_u number = lanes_select_u(unit->number, (lanes_u)(0xffffffffu), wanting);
+    const lanes_mask may = wanting & (unit->taken < launch->units_per_lane);
     for (uint lane = 0; lane < PTB_LANES; ++lane) {
-        if (LANE(wanting, lane)) LANE(number, lane) = atomic_inc(queue);
+        if (LANE(may, lane)) LANE(number, lane) = atomic_inc(queue);
     }
+    unit->taken += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), may);
     const lanes_mask got = wanting & (number < launch->units);
     const lanes_u run = number / launch->pixels;
     const lanes_u first_sample = (run + launch->first_run) * launch->samples_per_unit;

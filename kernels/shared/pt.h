@@ -36,7 +36,7 @@ typedef struct PtLaunch {
     ptb_uint seed;
     ptb_uint opaque_spheres;  /* the first ones: no path is ever inside */
     ptb_uint two_sided_spheres; /* the rest: dielectrics, and what the camera is in */
-    ptb_uint padding;
+    ptb_uint units_per_lane; /* at most: some drivers bound the turns of a loop */
 } PtLaunch;
 PTB_ASSERT_SIZE(PtLaunch, 112);
 

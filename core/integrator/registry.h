@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/render/render.h"
+
+namespace ptb {
+
+/// One row of the registry: everything the rest of the program knows of an integrator.
+struct Integrator {
+    std::string id;
+    std::string summary;      ///< one line for `ptbench list`
+    std::string file;         ///< of kernels/, "pt/pt.cl"
+    std::vector<int> lanes;   ///< lane widths it can be built for
+    bool two_dimensional;     ///< its work units are pixels, so a 2-D work-group means something
+    bool counts_full_length;  ///< its film counts samples and full-length paths
+    /// Build options for a scene and lane width on a device.
+    std::string (*options)(const ocl::Device& device, const Scene& scene, int lanes);
+    /// Device memory that `make` will ask for, and the largest single buffer, in bytes.
+    struct Memory {
+        std::uint64_t total = 0, largest = 0;
+    };
+    Memory (*memory)(const ocl::Device& device, const Scene& scene, const RenderJob& job);
+    std::unique_ptr<Render> (*make)(const ocl::Device& device, const ocl::Program& program, const Scene& scene,
+                                    const RenderJob& job);
+};
+
+/// Every integrator, the plain one first.
+const std::vector<Integrator>& integrators();
+
+/// Throws std::out_of_range when there is none of that id.
+const Integrator& integrator(const std::string& id);
+
+/// Why this device cannot do this job (the limit is named), or nothing. Known before anything is built.
+std::string unsupported_reason(const Integrator& integrator, const ocl::Device& device, const Scene& scene,
+                               const RenderJob& job);
+
+}  // namespace ptb

@@ -1,0 +1,167 @@
+#include "core/integrator/thesis.h"
+
+#include <algorithm>
+
+#include "core/integrator/camera.h"
+#include "shared/thesis.h"
+
+namespace ptb {
+
+namespace {
+
+ThesisMaterial device_material(const Material& material) {
+    ThesisMaterial m{};
+    m.colour = device_vector(material.type == MaterialType::mirror ? material.reflectance : material.albedo);
+    m.radiance = device_vector(material.radiance);
+    m.type = material.type == MaterialType::mirror       ? THESIS_MIRROR
+             : material.type == MaterialType::dielectric ? THESIS_DIELECTRIC
+             : material.type == MaterialType::emitter    ? THESIS_EMITTER
+                                                         : THESIS_MATTE;
+    m.ior = static_cast<float>(material.ior);
+    m.scatters = material.scatters ? 1 : 0;
+    return m;
+}
+
+std::vector<ThesisSphere> device_spheres(const Scene& scene) {
+    std::vector<ThesisSphere> spheres;
+    for (const Sphere& sphere : scene.spheres)
+        spheres.push_back({device_vector(sphere.centre, sphere.radius),
+                           device_material(scene.materials[static_cast<std::size_t>(sphere.material)])});
+    return spheres;
+}
+
+/// A start of Park and Miller's generator in [1, 2^31 - 2], from a mixing hash (splitmix64, by S. Vigna), so that
+/// neighbours' streams are unrelated.
+std::int32_t start_state(std::uint64_t pixel, std::uint32_t seed) {
+    std::uint64_t z = (static_cast<std::uint64_t>(seed) << 32 | pixel) + 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    z ^= z >> 31;
+    return static_cast<std::int32_t>(z % 2147483646u + 1);
+}
+
+class ThesisRender : public Render {
+  public:
+    ThesisRender(const ocl::Device& device, const ocl::Program& program, const Scene& scene, const RenderJob& job)
+        : device_(device), job_(job), pixels_(job.size.pixels()),
+          samples_per_launch_(paths_per_item(device, scene, job.path_length)) {
+        ocl::checked("thesis buffers", device_.info.name, [&] {
+            kernel_ = cl::Kernel(program.program, "thesis_render");
+            std::vector<ThesisSphere> spheres = device_spheres(scene);
+            spheres_ = cl::Buffer(device_.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
+                                  spheres.size() * sizeof(ThesisSphere), spheres.data());
+            result_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, pixels_ * sizeof(ptb_float4));
+            states_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, pixels_ * sizeof(std::int32_t));
+            launch_.camera = device_camera(scene.camera, job.size);
+            launch_.sphere_count = static_cast<std::uint32_t>(spheres.size());
+        });
+        launch_.width = static_cast<std::uint32_t>(job.size.width);
+        launch_.spp = static_cast<std::uint32_t>(job.spp);
+        launch_.path_length = static_cast<std::uint32_t>(job.path_length);
+        restart();
+    }
+
+    void restart() override {
+        std::vector<std::int32_t> states(pixels_);
+        for (std::size_t i = 0; i < pixels_; ++i) states[i] = start_state(i, job_.seed);
+        ocl::checked("thesis restart", device_.info.name, [&] {
+            device_.queue.enqueueFillBuffer(result_, ptb_float4{0, 0, 0, 0}, 0, pixels_ * sizeof(ptb_float4));
+            device_.queue.enqueueWriteBuffer(states_, CL_TRUE, 0, pixels_ * sizeof(std::int32_t), states.data());
+            device_.queue.finish();
+        });
+        done_ = 0;
+    }
+
+    std::uint64_t samples_left() const override {
+        return pixels_ * static_cast<std::uint64_t>(job_.spp) - done_;
+    }
+
+    std::vector<LaunchTimes> advance(std::uint64_t samples) override {
+        plan_launch(samples);
+        const Ranges ranges = job_.work_group_y == 0
+                                  ? one_dimensional(launch_.pixels, job_.work_group_x)
+                                  : two_dimensional(job_.size.width, static_cast<int>(launch_.pixels / launch_.width),
+                                                    job_.work_group_x, job_.work_group_y);
+        cl::Event event;
+        ocl::checked("thesis_render, " + describe(ranges), device_.info.name, [&] {
+            kernel_.setArg(0, result_);
+            kernel_.setArg(1, states_);
+            kernel_.setArg(2, spheres_);
+            kernel_.setArg(3, launch_);
+            device_.queue.enqueueNDRangeKernel(kernel_, cl::NullRange, ranges.global, ranges.local, nullptr, &event);
+            device_.queue.finish();
+        });
+        done_ += static_cast<std::uint64_t>(launch_.pixels) * launch_.samples;
+        return times_of({event}, device_);
+    }
+
+    Film read_film() override {
+        std::vector<ptb_float4> result(pixels_);
+        ocl::checked("thesis film", device_.info.name, [&] {
+            device_.queue.enqueueReadBuffer(result_, CL_TRUE, 0, pixels_ * sizeof(ptb_float4), result.data());
+        });
+        Film film;
+        film.mean = {job_.size, {}};
+        film.mean.rgb.reserve(pixels_ * 3);
+        for (const ptb_float4& pixel : result) {
+            film.mean.rgb.insert(film.mean.rgb.end(), {pixel.x, pixel.y, pixel.z});
+            film.segments += static_cast<std::uint64_t>(pixel.w);
+        }
+        return film;
+    }
+
+    ocl::KernelFacts facts() const override { return kernel_facts(device_, kernel_); }
+    std::uint64_t device_bytes() const override {
+        return pixels_ * (sizeof(ptb_float4) + sizeof(std::int32_t)) + launch_.sphere_count * sizeof(ThesisSphere);
+    }
+
+  private:
+    /// Whole images while the budget holds one, else a band of whole rows (a part of a row when 1-D and that is too
+    /// much still). A pixel's samples stay in order, so the cut changes nothing.
+    void plan_launch(std::uint64_t samples) {
+        const std::uint64_t at = done_ % pixels_;
+        const std::uint64_t left = samples_left();
+        if (at == 0 && samples >= pixels_) {
+            launch_.first_pixel = 0;
+            launch_.pixels = static_cast<std::uint32_t>(pixels_);
+            launch_.samples =
+                static_cast<std::uint32_t>(std::min(std::min(samples, left) / pixels_, samples_per_launch_));
+            return;
+        }
+        const std::uint64_t width = launch_.width;
+        std::uint64_t band = std::clamp<std::uint64_t>(samples, 1, pixels_ - at);
+        if (band >= width || job_.work_group_y != 0) band = std::max(band / width * width, width);
+        launch_.first_pixel = static_cast<std::uint32_t>(at);
+        launch_.pixels = static_cast<std::uint32_t>(std::min(band, pixels_ - at));
+        launch_.samples = 1;
+    }
+
+    ocl::Device device_;
+    RenderJob job_;
+    std::uint64_t pixels_, samples_per_launch_;
+    std::uint64_t done_ = 0;
+    cl::Kernel kernel_;
+    cl::Buffer result_, states_, spheres_;
+    ThesisLaunch launch_{};
+};
+
+std::string options(const ocl::Device&, const Scene&, int) { return "-cl-std=CL1.2"; }
+
+Integrator::Memory memory(const ocl::Device&, const Scene& scene, const RenderJob& job) {
+    const std::uint64_t film = job.size.pixels() * sizeof(ptb_float4);
+    return {film + job.size.pixels() * sizeof(std::int32_t) + scene.spheres.size() * sizeof(ThesisSphere), film};
+}
+
+std::unique_ptr<Render> make(const ocl::Device& device, const ocl::Program& program, const Scene& scene,
+                             const RenderJob& job) {
+    return std::make_unique<ThesisRender>(device, program, scene, job);
+}
+
+}  // namespace
+
+Integrator thesis_integrator() {
+    return {"thesis", "the 2016 thesis' algorithm, its habits and defects kept: the throughput baseline",
+            "thesis/thesis.cl", {1}, true, false, options, memory, make};
+}
+
+}  // namespace ptb

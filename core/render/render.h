@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/image/image.h"
+#include "core/ocl/program.h"
+#include "core/scene/scene.h"
+
+namespace ptb {
+
+/// What to render, and how to launch it. The image depends on everything but the work-group.
+struct RenderJob {
+    Size size;
+    int spp = 1;
+    int path_length = 128;
+    std::uint32_t seed = 1;
+    int lanes = 1;
+    int work_group_x = 0, work_group_y = 0;  ///< x == 0: implicit; y == 0: one-dimensional
+};
+
+/// The four timestamps of one launch's event, nanoseconds of the device's clock.
+struct LaunchTimes {
+    std::uint64_t queued = 0, submit = 0, start = 0, end = 0;
+};
+
+/// What a render leaves on the host. Numbers that a kernel does not count are absent.
+struct Film {
+    Image mean;
+    std::optional<Image> variance;  ///< unbiased variance of one sample; needs two samples a pixel
+    std::optional<std::uint64_t> samples;
+    std::uint64_t segments = 0;
+    std::optional<std::uint64_t> full_length_paths;
+};
+
+/// One scene being rendered on one device: buffers, kernels and how far it has come. Work is done in steps whose
+/// size the caller chooses (it knows the clock); the cut never changes the image. Methods throw ocl::Error.
+class Render {
+  public:
+    virtual ~Render() = default;
+    /// Back to an empty film with no sample done.
+    virtual void restart() = 0;
+    /// Pixel samples not rendered yet.
+    virtual std::uint64_t samples_left() const = 0;
+    /// Enqueues launches for about `samples` further pixel samples (at least the smallest piece), none of more than
+    /// that, waits for them and returns their events' times.
+    virtual std::vector<LaunchTimes> advance(std::uint64_t samples) = 0;
+    /// The film so far; pixels without a sample are black.
+    virtual Film read_film() = 0;
+    virtual ocl::KernelFacts facts() const = 0;
+    virtual std::uint64_t device_bytes() const = 0;
+};
+
+/// The four timestamps of finished events; zeros where the device does not profile.
+std::vector<LaunchTimes> times_of(const std::vector<cl::Event>& events, const ocl::Device& device);
+
+/// Paths of this length that one work-item may trace in one launch, at least: bounded where the device bounds loops (a
+/// segment turns once around its own loop and once for every sphere), 0 when it cannot trace even one.
+std::uint64_t paths_per_item(const ocl::Device& device, const Scene& scene, int path_length);
+
+/// Ranges for `items` work-items: global sizes are rounded up to whole work-groups.
+struct Ranges {
+    cl::NDRange global, local;
+};
+Ranges one_dimensional(std::uint64_t items, int work_group_x);
+Ranges two_dimensional(int width, int rows, int work_group_x, int work_group_y);
+
+/// "global 1024x1024, local 32x32", for errors.
+std::string describe(const Ranges& ranges);
+
+}  // namespace ptb
