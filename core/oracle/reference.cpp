@@ -55,10 +55,12 @@ Reference from_facts(const nlohmann::json& json) {
 Reference read_facts(const std::filesystem::path& file) {
     try {
         std::ifstream stream(file);
-        return from_facts(nlohmann::json::parse(stream));
+        Reference reference = from_facts(nlohmann::json::parse(stream));
+        if (reference.spp > 0 && reference.path_length > 0) return reference;
     } catch (const nlohmann::json::exception& error) {
         throw ImageError(fmt::format("{}: cannot be read: {}", file.string(), error.what()));
     }
+    throw ImageError(file.string() + ": a reference has at least one sample per pixel and one segment");
 }
 
 Image take_layer(std::map<std::string, Image>& layers, const std::string& name, Size size,

@@ -28,7 +28,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
     std::string best;
     std::size_t best_distance = std::numeric_limits<std::size_t>::max();
     for (const std::string& candidate : candidates) {
-        const std::size_t distance = edit_distance(word.substr(0, 100), candidate);
+        const bool abbreviated = !word.empty() && candidate.starts_with(word);
+        const std::size_t distance = abbreviated ? 1 : edit_distance(word.substr(0, 100), candidate);
         if (distance >= best_distance) continue;
         best_distance = distance;
         best = candidate;
