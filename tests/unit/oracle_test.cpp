@@ -174,6 +174,17 @@ TEST(TracePt, mirror_shows_what_is_behind_the_camera_in_its_tint) {
     expect_every_pixel(trace_pt(scene, job(2, 4, 1)).mean, {0, 0, 0});
 }
 
+TEST(TracePt, tints_multiply_along_the_path) {
+    // Along z to a mirror at (0, 0, 10), along x to one at (10, 0, 10), along z again to the lamp.
+    Scene scene = narrow_view();
+    const double s = std::sqrt(0.5);
+    add(scene, {-s, 0, 10 + s}, 1, mirror({0.5, 1, 0.25}));
+    add(scene, {10 + s, 0, 10 - s}, 1, mirror({0.5, 0.5, 0.5}));
+    add(scene, {10, 0, 30}, 5, lamp({8, 4, 2}));
+    for (auto* trace : {trace_pt, trace_thesis})
+        expect_every_pixel(trace(scene, job(2, 4, 3)).mean, {2, 2, 0.25});
+}
+
 TEST(TracePt, glass_reflects_its_share_at_normal_incidence) {
     // 4 % goes back to the lamp behind the camera at length 2; see any table of Fresnel's formulas for n
     // = 1.5.
@@ -301,7 +312,8 @@ TEST(TraceThesis, a_path_that_does_not_reach_the_light_is_black) {
     expect_every_pixel(trace_thesis(scene, job(2, 4, 1)).mean, {0, 0, 0});
     Scene glowing = narrow_view();
     add(glowing, {0, 0, 10}, 1, glowing_wall({1, 1, 1}, {0.5, 0.5, 0.5}));
-    expect_every_pixel(trace_thesis(glowing, job(2, 4, 128)).mean, {0, 0, 0});
+    expect_every_pixel(trace_thesis(glowing, job(2, 4, 128)).mean, {0, 0, 0});  // it leaves
+    expect_every_pixel(trace_thesis(glowing, job(2, 4, 1)).mean, {0, 0, 0});    // it is cut
 }
 
 TEST(TraceThesis, only_the_nearer_root_is_tested) {
