@@ -22,7 +22,8 @@ bool is_image_file(const std::filesystem::path& file);
 /// Throws ImageError.
 void write_image(const std::filesystem::path& file, const Image& image);
 
-/// Several images of one size as named layers of one OpenEXR file ("mean" gives channels mean.R, mean.G, mean.B).
+/// Several images of one size as named layers of one OpenEXR file ("mean" gives channels mean.R, mean.G,
+/// mean.B).
 void write_exr_layers(const std::filesystem::path& file, const std::map<std::string, Image>& layers);
 
 /// The layers of an OpenEXR file; plain R, G, B channels are the layer "". Throws ImageError.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "core/image/image.h"
 #include "core/scene/scene.h"
@@ -23,10 +24,12 @@ struct OracleJob {
     int path_length = 128;
     std::uint64_t seed = 1;
     int threads = 1;
+    std::function<void(int rows_done)> on_row;  ///< progress, or empty; from any thread, one call at a time
 };
 
-/// Plain double-precision path tracer of the physically right estimator (the kernel `pt`'s truth): box-filtered
-/// pixels, exact dielectric Fresnel, cosine-weighted Lambert, no next-event estimation, no roulette.
+/// Plain double-precision path tracer of the physically right estimator (the kernel `pt`'s truth):
+/// box-filtered pixels, exact dielectric Fresnel, cosine-weighted Lambert, no next-event estimation, no
+/// roulette.
 OracleResult trace_pt(const Scene& scene, const OracleJob& job);
 
 /// The thesis' algorithm with its defects (the kernel `thesis`' twin), in double precision.

@@ -16,10 +16,10 @@ enum class MaterialType { matte, mirror, dielectric, emitter };
 struct Material {
     std::string name;
     MaterialType type = MaterialType::matte;
-    Vec3 albedo;       ///< matte; an emitter with an albedo also scatters like matte
-    Vec3 radiance;     ///< emitter, from both faces
-    Vec3 reflectance;  ///< mirror
-    double ior = 1;    ///< dielectric: index of refraction inside, vacuum outside
+    Vec3 albedo;           ///< matte; an emitter with an albedo also scatters like matte
+    Vec3 radiance;         ///< emitter, from both faces
+    Vec3 reflectance;      ///< mirror
+    double ior = 1;        ///< dielectric: index of refraction inside, vacuum outside
     bool scatters = true;  ///< false for an emitter without an albedo: the path ends there
 };
 

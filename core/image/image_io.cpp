@@ -1,0 +1,96 @@
+#include "core/image/image_io.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include "core/image/replace_file.h"
+
+namespace ptb {
+namespace {
+
+/// Square-root encoded (gamma 2, as the thesis wrote its pictures) to 0..255; what is no number is black.
+std::uint8_t encoded(float linear) {
+    if (!(linear > 0)) return 0;
+    return static_cast<std::uint8_t>(std::lround(255 * std::sqrt(std::min(linear, 1.0F))));
+}
+
+std::vector<std::uint8_t> encoded(const Image& image) {
+    std::vector<std::uint8_t> bytes;
+    for (const float value : image.rgb) bytes.push_back(encoded(value));
+    return bytes;
+}
+
+std::string ppm_text(const Image& image) {
+    std::string text = fmt::format("P3\n{} {}\n255\n", image.size.width, image.size.height);
+    const std::vector<std::uint8_t> bytes = encoded(image);
+    for (std::size_t i = 0; i < bytes.size(); i += 3)
+        fmt::format_to(std::back_inserter(text), "{} {} {}\n", bytes[i], bytes[i + 1], bytes[i + 2]);
+    return text;
+}
+
+/// Rows from the bottom, little-endian (which the minus sign of the scale says).
+std::string pfm_bytes(const Image& image) {
+    std::string bytes = fmt::format("PF\n{} {}\n-1.0\n", image.size.width, image.size.height);
+    const std::size_t row = 3 * static_cast<std::size_t>(image.size.width);
+    for (std::size_t y = static_cast<std::size_t>(image.size.height); y-- > 0;) {
+        for (std::size_t i = y * row; i < (y + 1) * row; ++i) {
+            const auto word = std::bit_cast<std::uint32_t>(image.rgb[i]);
+            for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
+        }
+    }
+    return bytes;
+}
+
+std::string png_bytes(const Image& image) {
+    png_image png = {};
+    png.version = PNG_IMAGE_VERSION;
+    png.width = static_cast<png_uint_32>(image.size.width);
+    png.height = static_cast<png_uint_32>(image.size.height);
+    png.format = PNG_FORMAT_RGB;
+    const std::vector<std::uint8_t> rgb = encoded(image);
+    std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
+    png_alloc_size_t written = bytes.size();
+    if (!png_image_write_to_memory(&png, bytes.data(), &written, 0, rgb.data(), 0, nullptr))
+        throw ImageError(png.message);
+    bytes.resize(written);
+    return bytes;
+}
+
+std::string extension_of(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return extension;
+}
+
+const std::map<std::string, std::function<std::string(const Image&)>>& encoders() {
+    static const std::map<std::string, std::function<std::string(const Image&)>> table = {
+        {".pfm", pfm_bytes}, {".png", png_bytes}, {".ppm", ppm_text}};
+    return table;
+}
+
+}  // namespace
+
+bool is_image_file(const std::filesystem::path& file) {
+    return extension_of(file) == ".exr" || encoders().contains(extension_of(file));
+}
+
+void write_image(const std::filesystem::path& file, const Image& image) {
+    if (!is_image_file(file))
+        throw ImageError(fmt::format("{}: the extension \"{}\" is not one of .exr .pfm .png .ppm",
+                                     file.string(), file.extension().string()));
+    if (extension_of(file) == ".exr") return write_exr_layers(file, {{"", image}});
+    if (image.size.pixels() == 0 || image.rgb.size() != 3 * image.size.pixels())
+        throw ImageError(file.string() + ": there is nothing to write");
+    replace_file(file, encoders().at(extension_of(file))(image));
+}
+
+}  // namespace ptb
