@@ -1,0 +1,166 @@
+#include "bench/validate/validate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <boost/math/distributions/normal.hpp>
+#include <fmt/format.h>
+
+#include "bench/validate/blocks.h"
+
+namespace ptb {
+
+namespace {
+
+constexpr std::array channel_names{"red", "green", "blue"};
+
+/// A difference in units of its standard error. Without variance on the reference's side there is nothing random: the
+/// value must be the same up to rounding.
+double z_score(double value, double expected, double variance) {
+    if (variance > 0) return (value - expected) / std::sqrt(variance);
+    const bool same = std::abs(value - expected) <= 1e-4 * std::max(std::abs(expected), 1e-6);
+    return same ? 0 : std::numeric_limits<double>::infinity();
+}
+
+/// Variance of the difference of two means of n and m samples.
+double difference_variance(double variance, double n, double m) { return variance * (1 / n + 1 / m); }
+
+double samples_of(Size size, int spp) { return static_cast<double>(size.pixels()) * spp; }
+
+std::array<double, 3> channel_means(const Image& image) {
+    std::array<double, 3> sum{};
+    for (std::size_t i = 0; i < image.rgb.size(); ++i) sum[i % 3] += image.rgb[i];
+    for (double& s : sum) s /= static_cast<double>(image.size.pixels());
+    return sum;
+}
+
+bool same_shape(Size a, Size b) {
+    return static_cast<std::int64_t>(a.width) * b.height == static_cast<std::int64_t>(b.width) * a.height;
+}
+
+/// Image mean, worst channel. Pixels of equal shape cover the same field of view whatever their number.
+void check_mean(Validation& validation, const Evidence& evidence, const Reference& reference, double limit) {
+    if (!same_shape(evidence.size, reference.size)) return;
+    const auto mean = channel_means(evidence.film.mean);
+    const auto expected = channel_means(reference.mean);
+    const auto variance = channel_means(reference.variance);
+    const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
+    double worst = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double z = z_score(mean[c], expected[c], difference_variance(variance[c], n, m));
+        if (std::abs(z) > std::abs(worst)) worst = z;
+        if (std::abs(z) > limit)
+            fail(validation, fmt::format("image mean: {} is {:.5f}, the reference's is {:.5f} ({:.1f} standard errors)",
+                                         channel_names[c], mean[c], expected[c], z));
+    }
+    validation.mean_z = worst;
+    validation.checks.push_back("mean");
+}
+
+void check_segments(Validation& validation, const Evidence& evidence, const Reference& reference, double limit) {
+    if (!same_shape(evidence.size, reference.size)) return;
+    const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
+    const double z = z_score(validation.segments_per_sample, reference.segments_per_sample,
+                             difference_variance(reference.segments_variance, n, m));
+    validation.reference_segments_per_sample = reference.segments_per_sample;
+    validation.checks.push_back("segments");
+    if (std::abs(z) > limit)
+        fail(validation, fmt::format("{:.3f} segments a sample, the reference has {:.3f} ({:.1f} standard errors)",
+                                     validation.segments_per_sample, reference.segments_per_sample, z));
+}
+
+void check_full_length(Validation& validation, const Evidence& evidence, const Reference& reference, double limit) {
+    if (!evidence.film.full_length_paths || !same_shape(evidence.size, reference.size)) return;
+    const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
+    const double share = static_cast<double>(*evidence.film.full_length_paths) / n;
+    const double expected = reference.full_length_share;
+    const double z = z_score(share, expected, difference_variance(expected * (1 - expected), n, m));
+    validation.checks.push_back("full_length");
+    if (std::abs(z) > limit)
+        fail(validation, fmt::format("{:.4f} % of the paths reach full length, the reference has {:.4f} % ({:.1f} "
+                                     "standard errors)", 100 * share, 100 * expected, z));
+}
+
+void check_blocks(Validation& validation, const Evidence& evidence, const Reference& reference) {
+    const int edge = block_edge(block_samples, std::min(evidence.spp, reference.spp));
+    if (evidence.size != reference.size || edge > std::min(evidence.size.width, evidence.size.height)) return;
+    const Blocks found = block_means(evidence.film.mean, edge);
+    const Blocks expected = block_means(reference.mean, edge);
+    const Blocks variance = block_means(reference.variance, edge);
+    const double limit = sidak_limit(family_alpha, found.rgb.size());
+    double worst = 0;
+    for (std::size_t i = 0; i < found.rgb.size(); ++i) {
+        const int pixels = found.pixels[i / 3];
+        const double z = z_score(found.rgb[i], expected.rgb[i],
+                                 difference_variance(variance.rgb[i], 1.0 * pixels * evidence.spp, 1.0 * pixels * reference.spp));
+        worst = std::max(worst, std::abs(z));
+        if (std::abs(z) > limit) {
+            const auto block = static_cast<int>(i / 3);
+            fail(validation, fmt::format("{}x{} block at column {}, row {}: {} is {:.5f}, the reference's is {:.5f} "
+                                         "({:.1f} standard errors, limit {:.1f})",
+                                         edge, edge, block % found.across * edge, block / found.across * edge,
+                                         channel_names[i % 3], found.rgb[i], expected.rgb[i], z, limit));
+        }
+    }
+    validation.max_abs_z = std::isfinite(worst) ? worst : 1e9;
+    validation.z_limit = limit;
+    validation.checks.push_back("blocks");
+}
+
+}  // namespace
+
+void fail(Validation& validation, const std::string& reason) {
+    if (validation.valid) validation.reason = reason;
+    validation.valid = false;
+}
+
+double sidak_limit(double alpha, std::size_t tests) {
+    const double each = -std::expm1(std::log1p(-alpha) / static_cast<double>(tests));
+    return boost::math::quantile(boost::math::complement(boost::math::normal(), each / 2));
+}
+
+Validation check_film(const Evidence& evidence) {
+    Validation validation;
+    validation.valid = true;
+    validation.checks = {"finite", "counts"};
+    const double samples = samples_of(evidence.size, evidence.spp);
+    validation.samples = static_cast<std::uint64_t>(samples);
+    validation.segments_per_sample = static_cast<double>(evidence.film.segments) / samples;
+    const auto& rgb = evidence.film.mean.rgb;
+    const auto bad = std::find_if(rgb.begin(), rgb.end(), [](float v) { return !(v >= 0 && std::isfinite(v)); });
+    if (bad != rgb.end()) {
+        const auto pixel = (bad - rgb.begin()) / 3;
+        fail(validation, fmt::format("{} at column {}, row {}", *bad, pixel % evidence.size.width, pixel / evidence.size.width));
+    }
+    if (evidence.film.samples && *evidence.film.samples != validation.samples)
+        fail(validation, fmt::format("{} samples counted, {} asked for", *evidence.film.samples, validation.samples));
+    if (validation.segments_per_sample < 1 || validation.segments_per_sample > evidence.path_length)
+        fail(validation, fmt::format("{:.3f} segments a sample, between 1 and {} are possible",
+                                     validation.segments_per_sample, evidence.path_length));
+    return validation;
+}
+
+void check_against(Validation& validation, const Evidence& evidence, const Reference& reference) {
+    check_segments(validation, evidence, reference, 4);
+    check_full_length(validation, evidence, reference, 4);
+    check_blocks(validation, evidence, reference);
+    check_mean(validation, evidence, reference, 4);
+}
+
+void check_timed(Validation& validation, const Evidence& evidence, const Reference& reference) {
+    check_segments(validation, evidence, reference, 5);
+    check_mean(validation, evidence, reference, 5);
+}
+
+void check_same_bits(Validation& validation, const Film& film, const Film& other, const std::string& what) {
+    validation.checks.push_back(what);
+    const auto& a = film.mean.rgb;
+    const auto& b = other.mean.rgb;
+    const bool same = a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+    if (!same || film.segments != other.segments) fail(validation, "the same work gave other bits: " + what);
+}
+
+}  // namespace ptb

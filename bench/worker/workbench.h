@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "bench/measure/sampler.h"
+#include "bench/plan/config.h"
+#include "bench/record/record.h"
+#include "core/integrator/registry.h"
+#include "core/oracle/reference.h"
+
+namespace ptb {
+
+/// A kernel built for one device, and what is known of it. Shared by all cases that differ only in size, spp or
+/// work-group.
+struct BuiltKernel {
+    ocl::Program program;
+    double build_ms = 0;
+    double ns_per_sample = 0;  ///< device time of one pixel sample, from the first small render
+};
+
+/// One device with the kernels built and the verdicts reached on it so far.
+class Workbench {
+  public:
+    Workbench(const std::string& device_key, const MeasureOptions& options, std::filesystem::path data_folder);
+
+    /// Runs one case to its record. Never throws for what a device, driver or kernel does.
+    Record run(const Case& params, double time_left_s, const std::string& image_file,
+               const std::function<void(const std::string& stage, double done)>& progress);
+
+    /// Device time of one pixel sample of this case, ns. Throws what goes wrong.
+    double estimate(const Case& params);
+
+    const DeviceInfo& device() const { return device_.info; }
+
+  private:
+    using Stage = std::function<void(const std::string& stage, double done)>;
+    struct Job;  ///< a case resolved: scene, integrator, RenderJob
+
+    Job resolve(const Case& params);
+    const Scene& scene(const std::string& name);
+    BuiltKernel& built(const Job& job);
+    std::unique_ptr<Render> make(const Job& job, const RenderJob& work);
+    const Validation& validated(const Job& job, const Stage& progress);
+    void check_work_group(const Job& job, Record& record);
+    void measure(const Job& job, double time_left_s, const std::string& image_file, const Stage& progress, Record& record);
+    std::optional<Reference> stored_reference(const Job& job) const;
+    Reference host_reference(const Job& job) const;
+
+    ocl::Device device_;
+    MeasureOptions options_;
+    std::filesystem::path data_folder_;
+    std::string timer_fault_;  ///< once the events were wrong, the host's clock is used
+    std::map<std::string, Scene> scenes_;
+    std::map<std::string, BuiltKernel> built_;       ///< by kernel, scene, lanes
+    std::map<std::string, Validation> validations_;  ///< by kernel, scene, path length, lanes
+    std::map<std::string, PassCutter> cutters_;      ///< by kernel, scene, path length, lanes
+};
+
+}  // namespace ptb
