@@ -1,0 +1,135 @@
+#include "bench/worker/coordinator.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace ptb {
+namespace {
+
+constexpr auto interrupted_reason = "interrupted";
+
+Record record(const Case& c, Status status, std::string reason) {
+    Record made;
+    made.params = c;
+    made.status = status;
+    made.reason = std::move(reason);
+    return made;
+}
+
+Record record_of(const Case& c, Reply reply) {
+    switch (reply.end) {
+        case Reply::End::crashed:
+            return record(c, Status::crash, reply.reason);
+        case Reply::End::timed_out:
+            return record(c, Status::timeout, reply.reason);
+        case Reply::End::interrupted:
+            return record(c, Status::skipped, interrupted_reason);
+        case Reply::End::answered:
+            break;
+    }
+    if (!reply.response.record) {
+        const std::string& why = reply.response.reason;
+        return record(c, Status::runtime, why.empty() ? "the worker answered without a record" : why);
+    }
+    reply.response.record->params = c;  // a worker knows its device by its own key
+    return std::move(*reply.response.record);
+}
+
+}  // namespace
+
+double steady_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Coordinator::Coordinator(RunPlan plan, OpenChannel open, Stopped stopped, SecondsNow now_s)
+    : plan_(std::move(plan)), stopped_(std::move(stopped)), now_s_(std::move(now_s)), start_s_(now_s_()) {
+    for (const DeviceInfo& device : plan_.devices) {
+        workers_.try_emplace(device.key, device, open, plan_.measure);
+    }
+}
+
+Forecast Coordinator::estimate() {
+    Forecast forecast(plan_.measure);
+    std::map<CostKey, bool> asked;
+    for (const Case& c : plan_.cases) {
+        if (stopped_() || !asked.try_emplace(cost_key(c), true).second) continue;
+        DeviceWorker& worker = worker_of(c.device);
+        if (!worker.ready()) continue;
+        Request request;
+        request.kind = Request::Kind::estimate;
+        request.params = c;
+        const Reply reply = worker.request(request, [](const Response&) {});
+        const bool known =
+            reply.end == Reply::End::answered && reply.response.kind == Response::Kind::estimate;
+        if (known) forecast.learn(c, reply.response.ns_per_sample);
+    }
+    return forecast;
+}
+
+std::vector<Record> Coordinator::run(const Forecast& forecast, const std::vector<RunObserver*>& observers) {
+    std::vector<Record> records;
+    for (std::size_t i = 0; i < plan_.cases.size(); ++i) {
+        const Case& c = plan_.cases[i];
+        for (RunObserver* observer : observers) observer->started(i, c);
+        records.push_back(run_case(c, forecast, [&](const Response& progress) {
+            for (RunObserver* observer : observers) observer->progressed(i, c, progress);
+        }));
+        for (RunObserver* observer : observers) observer->finished(i, records.back());
+    }
+    if (live_ != nullptr) live_->close();
+    assert(records.size() == plan_.cases.size());
+    return records;
+}
+
+Record Coordinator::run_case(const Case& c, const Forecast& forecast, const Channel::Progress& progress) {
+    const std::string reason = not_to_try(c, forecast);
+    if (!reason.empty()) return record(c, Status::skipped, reason);
+    DeviceWorker& worker = worker_of(c.device);
+    if (!worker.ready()) {
+        const std::string& why = worker.given_up();
+        return record(c, Status::skipped, why.empty() ? interrupted_reason : why);
+    }
+    return record_of(c, worker.request(run_request(c), progress));
+}
+
+/// Only one device's worker lives at a time: an idle one still holds memory, threads and clocks.
+DeviceWorker& Coordinator::worker_of(const std::string& device) {
+    DeviceWorker& worker = workers_.at(device);
+    if (live_ != nullptr && live_ != &worker) live_->close();
+    live_ = &worker;
+    return worker;
+}
+
+std::optional<double> Coordinator::budget_left_s() const {
+    if (plan_.max_total_time_s <= 0) return std::nullopt;
+    return plan_.max_total_time_s - (now_s_() - start_s_);
+}
+
+/// Why a case is skipped without being tried, or empty. A budget cuts repetitions, never work: what cannot be
+/// rendered once in what is left is not begun.
+std::string Coordinator::not_to_try(const Case& c, const Forecast& forecast) const {
+    if (stopped_()) return interrupted_reason;
+    const auto left_s = budget_left_s();
+    const double sample_s = forecast.sample_s(c).value_or(0);
+    if (!left_s || (*left_s > 0 && sample_s <= *left_s)) return {};
+    const std::string budget = duration_text(plan_.max_total_time_s);
+    if (*left_s <= 0) return fmt::format("the budget of {} is used up (--max-total-time)", budget);
+    return fmt::format("predicted {} a sample, {} are left of the budget of {} (--max-total-time)",
+                       duration_text(sample_s), duration_text(*left_s), budget);
+}
+
+Request Coordinator::run_request(const Case& c) const {
+    Request request;
+    request.kind = Request::Kind::run;
+    request.params = c;
+    request.time_left_s = budget_left_s();
+    const auto image = plan_.image_files.find(c);
+    if (image != plan_.image_files.end()) request.image_file = image->second;
+    return request;
+}
+
+}  // namespace ptb

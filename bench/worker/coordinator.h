@@ -1,0 +1,61 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bench/worker/device_worker.h"
+#include "bench/worker/forecast.h"
+
+namespace ptb {
+
+/// Hears what happens in a run.
+class RunObserver {
+  public:
+    virtual ~RunObserver() = default;
+    virtual void started(std::size_t /*index*/, const Case&) {}
+    virtual void progressed(std::size_t /*index*/, const Case&, const Response&) {}
+    virtual void finished(std::size_t /*index*/, const Record&) {}
+};
+
+/// What to run: device-major cases, and the picture to write for some of them.
+struct RunPlan {
+    MeasureOptions measure;
+    double max_total_time_s = 0;  ///< 0: no budget
+    std::vector<DeviceInfo> devices;
+    std::vector<Case> cases;
+    std::map<Case, std::string> image_files;
+};
+
+/// Seconds since any fixed moment.
+using SecondsNow = std::function<double()>;
+double steady_seconds();
+
+/// Drives workers through a plan, one worker at a time. Whatever happens to a worker, each planned case ends
+/// as exactly one record. The budget counts from construction.
+class Coordinator {
+  public:
+    Coordinator(RunPlan plan, OpenChannel open, Stopped stopped, SecondsNow now_s = steady_seconds);
+
+    /// Asks each device what a pixel sample of each (kernel, scene, path length, lanes) costs.
+    Forecast estimate();
+
+    /// Runs the plan in its order; `observers` hear of each case.
+    std::vector<Record> run(const Forecast& forecast, const std::vector<RunObserver*>& observers);
+
+  private:
+    DeviceWorker& worker_of(const std::string& device);
+    std::optional<double> budget_left_s() const;
+    std::string not_to_try(const Case& c, const Forecast& forecast) const;
+    Request run_request(const Case& c) const;
+    Record run_case(const Case& c, const Forecast& forecast, const Channel::Progress& progress);
+
+    RunPlan plan_;
+    Stopped stopped_;
+    SecondsNow now_s_;
+    double start_s_;
+    std::map<std::string, DeviceWorker> workers_;
+    DeviceWorker* live_ = nullptr;
+};
+
+}  // namespace ptb

@@ -1,0 +1,56 @@
+#include "bench/worker/forecast.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace ptb {
+
+CostKey cost_key(const Case& c) {
+    return {c.device, c.kernel, c.scene, c.path_length, c.lanes};
+}
+
+std::optional<double> Forecast::sample_s(const Case& c) const {
+    const auto found = ns_per_sample_.find(cost_key(c));
+    if (found == ns_per_sample_.end()) return std::nullopt;
+    return found->second * 1e-9 * c.size.width * c.size.height * c.spp;
+}
+
+std::optional<double> Forecast::case_s(const Case& c) const {
+    const auto sample = sample_s(c);
+    if (!sample || measure_.skip_time) return sample ? std::optional(0.0) : std::nullopt;
+    const double started = *sample > 0 ? std::ceil(measure_.max_time_s / *sample) : measure_.samples;
+    const double timed = std::clamp(started, 1.0, std::max(1.0, double(measure_.samples)));
+    return (measure_.warmup + timed) * *sample;
+}
+
+std::string duration_text(double seconds) {
+    if (seconds < 9.95) return fmt::format("{:.1f} s", std::max(seconds, 0.0));
+    const auto whole = static_cast<long long>(std::llround(seconds));
+    if (whole < 60) return fmt::format("{} s", whole);
+    if (whole < 600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+    const auto minutes = (whole + 30) / 60;
+    if (minutes < 120) return fmt::format("{} min", minutes);
+    return fmt::format("{} h {} min", minutes / 60, minutes % 60);
+}
+
+std::string prediction_text(const Forecast& forecast, const std::vector<Case>& cases,
+                            double max_total_time_s) {
+    double total_s = 0, longest_s = -1;
+    const Case* longest = nullptr;
+    for (const Case& c : cases) {
+        total_s += forecast.case_s(c).value_or(0);
+        const double sample_s = forecast.sample_s(c).value_or(-1);
+        if (sample_s <= longest_s) continue;
+        longest_s = sample_s;
+        longest = &c;
+    }
+    if (longest == nullptr) return {};
+    const bool cut = max_total_time_s > 0 && total_s > max_total_time_s;
+    return fmt::format("predicted: {}{} (longest sample: {} on {}, spp {}: {})", duration_text(total_s),
+                       cut ? fmt::format(", cut to the budget of {}", duration_text(max_total_time_s)) : "",
+                       longest->kernel, longest->device, longest->spp, duration_text(longest_s));
+}
+
+}  // namespace ptb

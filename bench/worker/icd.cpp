@@ -1,0 +1,77 @@
+#include "bench/worker/icd.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <stdlib.h>
+
+namespace ptb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string variable(const char* name) {
+    const char* const value = std::getenv(name);
+    return value == nullptr ? std::string() : std::string(value);
+}
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<Icd> icds_of_folder(const fs::path& folder) {
+    std::vector<Icd> icds;
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+        if (entry.path().extension() == ".icd") icds.push_back(icd_from_file(entry.path().string()));
+    }
+    std::sort(icds.begin(), icds.end(), [](const Icd& a, const Icd& b) { return a.file < b.file; });
+    return icds;
+}
+
+}  // namespace
+
+IcdEnvironment icd_environment() {
+    return {variable("OCL_ICD_VENDORS"), variable("OCL_ICD_FILENAMES")};
+}
+
+Icd icd_from_file(const std::string& file) {
+    if (fs::path(file).extension() == ".icd") return {file, text_of(file)};
+    return {file, file};
+}
+
+std::vector<Icd> find_icds(const IcdEnvironment& environment) {
+    const fs::path vendors = environment.vendors.empty() ? "/etc/OpenCL/vendors" : environment.vendors;
+    std::vector<Icd> icds = fs::is_directory(vendors) ? icds_of_folder(vendors) : std::vector<Icd>();
+    if (!fs::is_directory(vendors) && fs::exists(vendors)) icds.push_back(icd_from_file(vendors.string()));
+    std::istringstream libraries(environment.filenames);
+    for (std::string library; std::getline(libraries, library, ':');) {
+        if (!library.empty()) icds.push_back(icd_from_file(library));
+    }
+    return icds;
+}
+
+IcdFolder::IcdFolder(const Icd& icd) {
+    std::string pattern = (fs::temp_directory_path() / "ptbench-icd-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) {
+        throw std::runtime_error(fmt::format("cannot create a folder like {}", pattern));
+    }
+    path_ = pattern;
+    std::ofstream out(path_ / fs::path(icd.file).filename().replace_extension(".icd"));
+    if (!(out << icd.library << std::flush)) {
+        throw std::runtime_error(fmt::format("cannot write into {}", pattern));
+    }
+}
+
+IcdFolder::~IcdFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+}  // namespace ptb

@@ -1,0 +1,152 @@
+#include "bench/worker/probe.h"
+
+#include <map>
+#include <memory>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "bench/record/json.h"
+#include "bench/record/printable.h"
+
+namespace ptb {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+/// One driver being asked.
+struct Asked {
+    Icd icd;
+    IcdFolder folder;
+    WorkerProcess process;
+    Asked(const Icd& asked, const WorkerLaunch& launch)
+        : icd(asked), folder(asked), process(worker_command(launch, folder, {"--probe"})) {}
+};
+
+std::string with_last_words(const std::string& ending, const WorkerProcess& process) {
+    const std::string words = printable(last_line(process.stderr_tail()));
+    return words.empty() ? ending : fmt::format("{}: {}", ending, words);
+}
+
+std::vector<DeviceInfo> answer(Asked& asked, Clock::time_point deadline, milliseconds patience) {
+    std::string line;
+    const auto left = std::chrono::duration_cast<milliseconds>(deadline - Clock::now());
+    const ReadStatus status = asked.process.read_line(line, std::max(left, milliseconds(0)));
+    if (status == ReadStatus::silent) {
+        throw std::runtime_error(fmt::format("no answer within {:g} s", double(patience.count()) / 1000));
+    }
+    if (status != ReadStatus::line) {
+        throw std::runtime_error(with_last_words(asked.process.ending(), asked.process));
+    }
+    return parse_probe_line(line);
+}
+
+bool same_device(const DeviceInfo& a, const DeviceInfo& b) {
+    const bool uuids_agree = a.uuid.empty() || b.uuid.empty() || a.uuid == b.uuid;
+    return a.platform == b.platform && a.platform_version == b.platform_version && a.name == b.name &&
+           a.driver_version == b.driver_version && a.device_index == b.device_index && uuids_agree;
+}
+
+/// "pocl:0" of the n-th driver that calls itself pocl: "pocl@n:0".
+std::string numbered_key(const std::string& key, int n) {
+    const auto colon = key.rfind(':');
+    return fmt::format("{}@{}{}", key.substr(0, colon), n,
+                       colon == std::string::npos ? std::string() : key.substr(colon));
+}
+
+std::string unique_key(const std::string& key, const std::set<std::string>& taken) {
+    std::string unique = key;
+    for (int n = 2; taken.contains(unique); ++n) unique = numbered_key(key, n);
+    return unique;
+}
+
+void exclude_if_known(DeviceInfo& device, const std::vector<DeviceInfo>& known) {
+    if (!device.excluded.empty()) return;
+    for (const DeviceInfo& other : known) {
+        if (other.icd == device.icd || !other.excluded.empty() || !same_device(other, device)) continue;
+        device.excluded = fmt::format("the same device as {}, found again through {}", other.key, device.icd);
+        return;
+    }
+}
+
+std::string one_line(const Json& json) {
+    return dump_json(json) + "\n";
+}
+
+}  // namespace
+
+ChildCommand worker_command(const WorkerLaunch& launch, const IcdFolder& icd_folder,
+                            std::vector<std::string> arguments) {
+    ChildCommand command;
+    command.argv = launch.launcher;
+    command.argv.push_back(launch.executable);
+    command.argv.push_back("worker");
+    for (auto& argument : arguments) command.argv.push_back(std::move(argument));
+    command.environment = {{"OCL_ICD_VENDORS", icd_folder.path().string()}, {"OCL_ICD_FILENAMES", ""}};
+    return command;
+}
+
+DeviceList probe(const std::vector<Icd>& icds, const WorkerLaunch& launch, milliseconds patience) {
+    const auto deadline = Clock::now() + patience;
+    std::vector<std::unique_ptr<Asked>> all;
+    for (const Icd& icd : icds) all.push_back(std::make_unique<Asked>(icd, launch));
+    DeviceList list;
+    std::vector<std::vector<DeviceInfo>> by_icd;
+    for (const auto& asked : all) {
+        try {
+            by_icd.push_back(answer(*asked, deadline, patience));
+            for (DeviceInfo& device : by_icd.back()) device.icd = asked->icd.file;
+        } catch (const std::exception& error) {
+            list.broken.push_back({asked->icd.file, error.what()});
+        }
+    }
+    list.devices = join_devices(by_icd);
+    return list;
+}
+
+std::vector<DeviceInfo> join_devices(const std::vector<std::vector<DeviceInfo>>& by_icd) {
+    std::vector<DeviceInfo> joined;
+    std::set<std::string> taken;
+    int platforms = 0;
+    for (const auto& devices : by_icd) {
+        std::map<int, int> renumbered;  // platform_index within the driver -> in the list
+        for (DeviceInfo device : devices) {
+            const auto [entry, is_new] = renumbered.try_emplace(device.platform_index, platforms);
+            platforms += is_new ? 1 : 0;
+            device.platform_index = entry->second;
+            exclude_if_known(device, joined);
+            device.key = unique_key(device.key, taken);
+            taken.insert(device.key);
+            joined.push_back(std::move(device));
+        }
+    }
+    return joined;
+}
+
+std::string local_key(const std::string& key) {
+    const auto at = key.rfind('@');
+    const auto colon = key.rfind(':');
+    if (at == std::string::npos || colon == std::string::npos || colon < at) return key;
+    return key.substr(0, at) + key.substr(colon);
+}
+
+std::string probe_line(const std::vector<DeviceInfo>& devices) {
+    return one_line({{"devices", devices}});
+}
+
+std::string probe_error_line(const std::string& reason) {
+    return one_line({{"error", reason}});
+}
+
+std::vector<DeviceInfo> parse_probe_line(const std::string& line) {
+    const auto json = Json::parse(line, nullptr, false);
+    if (!json.is_object())
+        throw std::runtime_error(fmt::format("garbled answer \"{}\"", shortened(printable(line), 60)));
+    if (json.contains("error")) throw std::runtime_error(json.at("error").get<std::string>());
+    return json.at("devices").get<std::vector<DeviceInfo>>();
+}
+
+}  // namespace ptb

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "bench/record/record.h"
+#include "bench/worker/icd.h"
+#include "bench/worker/process.h"
+
+namespace ptb {
+
+/// Every OpenCL device of this machine, and every driver that could not be asked.
+struct DeviceList {
+    std::vector<DeviceInfo> devices;
+    std::vector<BrokenIcd> broken;
+    bool operator==(const DeviceList&) const = default;
+};
+
+/// How worker processes are started.
+struct WorkerLaunch {
+    std::string executable;             ///< of ptbench itself
+    std::vector<std::string> launcher;  ///< words before it: {"srun", "-w", "node7"}
+};
+
+/// Command of a worker that sees only the driver in `icd_folder`.
+ChildCommand worker_command(const WorkerLaunch& launch, const IcdFolder& icd_folder,
+                            std::vector<std::string> arguments);
+
+/// Asks each driver in a process of its own, all at the same time. A driver that crashes, hangs or answers
+/// nonsense becomes one line in `broken`.
+DeviceList probe(const std::vector<Icd>& icds, const WorkerLaunch& launch,
+                 std::chrono::milliseconds patience = std::chrono::seconds(10));
+
+/// Numbers platforms and devices across drivers, makes keys unique and excludes devices found twice. `by_icd`
+/// in the order of the drivers.
+std::vector<DeviceInfo> join_devices(const std::vector<std::vector<DeviceInfo>>& by_icd);
+
+/// Key of a device among those of its own driver: "pocl@2:0", the second driver that calls itself pocl, is
+/// "pocl:0" to its worker.
+std::string local_key(const std::string& key);
+
+/// The line `ptbench worker --probe` prints, and its reader; throws std::runtime_error with the reason.
+std::string probe_line(const std::vector<DeviceInfo>& devices);
+std::string probe_error_line(const std::string& reason);
+std::vector<DeviceInfo> parse_probe_line(const std::string& line);
+
+}  // namespace ptb

@@ -1,0 +1,37 @@
+#include <utility>
+
+#include "bench/worker/channel.h"
+#include "bench/worker/session.h"
+
+namespace ptb {
+namespace {
+
+class SessionChannel : public Channel {
+  public:
+    explicit SessionChannel(std::unique_ptr<Session> session) : session_(std::move(session)) {}
+
+    Reply request(const Request& request, const Progress& progress) override {
+        Reply reply{Reply::End::crashed, {}, "the session gave no answer"};
+        session_->answer(request, [&](const Response& response) {
+            if (response.kind == Response::Kind::progress) {
+                progress(response);
+            } else {
+                reply = {Reply::End::answered, response, {}};
+            }
+        });
+        return reply;
+    }
+
+  private:
+    std::unique_ptr<Session> session_;
+};
+
+}  // namespace
+
+OpenChannel in_process_channels() {
+    return [](const DeviceInfo& device) {
+        return std::make_unique<SessionChannel>(make_session(local_key(device.key)));
+    };
+}
+
+}  // namespace ptb

@@ -1,0 +1,230 @@
+#include "bench/worker/coordinator.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace ptb {
+namespace {
+
+using std::chrono::milliseconds;
+
+Stopped never() {
+    return [] { return false; };
+}
+
+DeviceInfo device(const std::string& key = "fake:0") {
+    DeviceInfo info;
+    info.key = key;
+    info.icd = "fake.icd";
+    return info;
+}
+
+/// The scene says how the fake worker behaves.
+Case make_case(const std::string& scene, int spp = 1, const std::string& key = "fake:0") {
+    Case c;
+    c.device = key;
+    c.kernel = "pt";
+    c.scene = scene;
+    c.size = {100, 100};
+    c.spp = spp;
+    return c;
+}
+
+RunPlan plan_of(std::vector<Case> cases, std::vector<DeviceInfo> devices = {device()}) {
+    RunPlan plan;
+    plan.cases = std::move(cases);
+    plan.devices = std::move(devices);
+    return plan;
+}
+
+OpenChannel fake_channels(milliseconds silence = milliseconds(500), const Stopped& stopped = never()) {
+    return process_channels({PTB_FAKE_WORKER, {}}, silence, stopped);
+}
+
+std::vector<Record> run(const RunPlan& plan, const OpenChannel& open, const Stopped& stopped = never()) {
+    Coordinator coordinator(plan, open, stopped);
+    return coordinator.run(Forecast(plan.measure), {});
+}
+
+std::vector<Status> statuses(const std::vector<Record>& records) {
+    std::vector<Status> all;
+    for (const Record& record : records) all.push_back(record.status);
+    return all;
+}
+
+std::string reason_of(const std::string& scene) {
+    const auto records = run(plan_of({make_case(scene)}), fake_channels());
+    return records.at(0).reason;
+}
+
+/// Sets a variable for the workers of one test.
+struct WorkerVariable {
+    std::string name;
+    WorkerVariable(const std::string& variable, const std::string& value) : name(variable) {
+        ::setenv(name.c_str(), value.c_str(), 1);
+    }
+    ~WorkerVariable() { ::unsetenv(name.c_str()); }
+};
+
+TEST(coordinator, a_worker_that_dies_costs_one_record) {
+    const auto records =
+        run(plan_of({make_case("good", 1), make_case("sigkill"), make_case("good", 2), make_case("hang"),
+                     make_case("garbage"), make_case("orphan"), make_case("exit"), make_case("good", 3)}),
+            fake_channels());
+    EXPECT_EQ(statuses(records), (std::vector{Status::ok, Status::crash, Status::ok, Status::timeout,
+                                              Status::crash, Status::crash, Status::crash, Status::ok}));
+}
+
+TEST(coordinator, a_crash_names_the_signal_and_the_last_words) {
+    EXPECT_EQ(reason_of("sigkill"), "killed by SIGKILL (9)");
+    EXPECT_EQ(reason_of("abort"), "killed by SIGABRT (6): assertion failed: !device->lost");
+    EXPECT_EQ(reason_of("exit"), "exited with code 3");
+    EXPECT_EQ(reason_of("hang"), "no sign of life for 0.5 s (--timeout)");
+    EXPECT_EQ(reason_of("garbage"), "the worker answered nonsense: \"Segmentation fault (core dumped)\"");
+}
+
+TEST(coordinator, records_come_in_plan_order_with_the_planned_parameters) {
+    const RunPlan plan = plan_of({make_case("good", 3), make_case("sigkill"), make_case("good", 1)});
+    const auto records = run(plan, fake_channels());
+    for (std::size_t i = 0; i < records.size(); ++i) EXPECT_EQ(records[i].params, plan.cases[i]);
+}
+
+TEST(coordinator, a_worker_is_kept_until_it_dies) {
+    const auto records =
+        run(plan_of({make_case("good", 1), make_case("good", 2), make_case("sigkill"), make_case("good", 3)}),
+            fake_channels());
+    const auto pid = [&](std::size_t i) { return records[i].statistics->n; };
+    EXPECT_EQ(pid(0), pid(1));
+    EXPECT_NE(pid(1), pid(3));
+}
+
+TEST(coordinator, slow_but_alive_is_not_a_timeout) {
+    EXPECT_EQ(statuses(run(plan_of({make_case("slow")}), fake_channels())), std::vector{Status::ok});
+}
+
+TEST(coordinator, a_device_that_refuses_skips_its_cases) {
+    const WorkerVariable open("FAKE_OPEN", "refuse");
+    const auto records = run(plan_of({make_case("good", 1), make_case("good", 2)}), fake_channels());
+    EXPECT_EQ(statuses(records), (std::vector{Status::skipped, Status::skipped}));
+    EXPECT_EQ(records[1].reason, "fake:0 cannot be opened: no such device");
+}
+
+TEST(coordinator, a_device_whose_worker_crashes_at_open_twice_is_given_up) {
+    const WorkerVariable open("FAKE_OPEN", "abort");
+    int opened = 0;
+    const OpenChannel real = fake_channels();
+    const OpenChannel counting = [&](const DeviceInfo& info) {
+        ++opened;
+        return real(info);
+    };
+    const auto records = run(plan_of({make_case("good", 1), make_case("good", 2)}), counting);
+    EXPECT_EQ(statuses(records), (std::vector{Status::skipped, Status::skipped}));
+    EXPECT_EQ(records[0].reason,
+              "the worker of fake:0 fails to start: killed by SIGABRT (6): assertion failed: !device->lost");
+    EXPECT_EQ(opened, 2);
+}
+
+TEST(coordinator, a_launcher_that_is_missing_skips_with_its_name) {
+    const auto records =
+        run(plan_of({make_case("good")}),
+            process_channels({PTB_FAKE_WORKER, {"no-such-launcher"}}, milliseconds(500), never()));
+    EXPECT_EQ(statuses(records), std::vector{Status::skipped});
+    EXPECT_NE(records[0].reason.find("no-such-launcher"), std::string::npos) << records[0].reason;
+}
+
+TEST(coordinator, one_device_that_cannot_open_leaves_the_others_alone) {
+    const OpenChannel real = fake_channels();
+    const OpenChannel one_broken = [&](const DeviceInfo& info) {
+        if (info.key == "broken:0") throw std::runtime_error("no driver");
+        return real(info);
+    };
+    const RunPlan plan = plan_of({make_case("good", 1, "broken:0"), make_case("good", 1, "fake:0")},
+                                 {device("broken:0"), device("fake:0")});
+    EXPECT_EQ(statuses(run(plan, one_broken)), (std::vector{Status::skipped, Status::ok}));
+}
+
+TEST(coordinator, a_worker_of_another_protocol_ends_the_run) {
+    const WorkerVariable open("FAKE_OPEN", "other-protocol");
+    EXPECT_THROW(run(plan_of({make_case("good")}), fake_channels()), VersionMismatch);
+}
+
+TEST(coordinator, an_interruption_kills_the_worker_and_skips_the_rest) {
+    int asked = 0;
+    const Stopped soon = [&] { return ++asked > 5; };
+    const RunPlan plan = plan_of({make_case("good"), make_case("hang"), make_case("good", 2)});
+    const auto records = run(plan, fake_channels(milliseconds(60000), soon), soon);
+    EXPECT_EQ(statuses(records).back(), Status::skipped);
+    EXPECT_EQ(records.back().reason, "interrupted");
+    EXPECT_EQ(records.size(), plan.cases.size());
+}
+
+TEST(coordinator, estimates_are_asked_once_for_equal_costs) {
+    const WorkerVariable ns("FAKE_NS", "500");
+    Coordinator coordinator(plan_of({make_case("good", 1), make_case("good", 2), make_case("other", 1)}),
+                            fake_channels(), never());
+    const Forecast forecast = coordinator.estimate();
+    EXPECT_DOUBLE_EQ(forecast.sample_s(make_case("good", 1000)).value(), 500e-9 * 100 * 100 * 1000);
+    EXPECT_TRUE(forecast.knows(make_case("other")));
+    EXPECT_FALSE(forecast.knows(make_case("third")));
+}
+
+TEST(coordinator, a_failed_estimate_does_not_spoil_the_run) {
+    Coordinator coordinator(plan_of({make_case("bad-estimate"), make_case("good")}), fake_channels(),
+                            never());
+    const Forecast forecast = coordinator.estimate();
+    EXPECT_FALSE(forecast.knows(make_case("bad-estimate")));
+    EXPECT_TRUE(forecast.knows(make_case("good")));
+    EXPECT_EQ(statuses(coordinator.run(forecast, {})), (std::vector{Status::ok, Status::ok}));
+}
+
+TEST(coordinator, a_case_that_does_not_fit_into_the_budget_is_skipped_with_its_prediction) {
+    RunPlan plan = plan_of({make_case("good", 1), make_case("good", 1000), make_case("good", 2)});
+    plan.max_total_time_s = 10;
+    Forecast forecast(plan.measure);
+    forecast.learn(make_case("good"), 10000);  // 0.1 s a sample per pixel
+    Coordinator coordinator(plan, fake_channels(), never(), [] { return 0.0; });
+    const auto records = coordinator.run(forecast, {});
+    EXPECT_EQ(statuses(records), (std::vector{Status::ok, Status::skipped, Status::ok}));
+    EXPECT_EQ(records[1].reason,
+              "predicted 1 min 40 s a sample, 10 s are left of the budget of 10 s (--max-total-time)");
+    EXPECT_DOUBLE_EQ(records[0].statistics->max_ns, 10) << "the worker was not told what is left";
+}
+
+TEST(coordinator, a_used_up_budget_skips_what_has_no_forecast_too) {
+    RunPlan plan = plan_of({make_case("good")});
+    plan.max_total_time_s = 10;
+    double now_s = 0;
+    Coordinator coordinator(plan, fake_channels(), never(), [&] { return now_s; });
+    now_s = 11;
+    const auto records = coordinator.run(Forecast(plan.measure), {});
+    EXPECT_EQ(statuses(records), std::vector{Status::skipped});
+    EXPECT_EQ(records[0].reason, "the budget of 10 s is used up (--max-total-time)");
+}
+
+TEST(coordinator, the_picture_is_asked_for_the_planned_case_only) {
+    RunPlan plan = plan_of({make_case("good", 1), make_case("good", 2)});
+    plan.image_files[plan.cases[1]] = "out/fake.png";
+    const auto records = run(plan, fake_channels());
+    EXPECT_EQ(records[0].statistics->timer_reason, "");
+    EXPECT_EQ(records[1].statistics->timer_reason, "out/fake.png");
+}
+
+TEST(coordinator, observers_hear_of_each_case) {
+    struct Heard : RunObserver {
+        std::vector<std::string> words;
+        void started(std::size_t index, const Case&) override {
+            words.push_back("started " + std::to_string(index));
+        }
+        void finished(std::size_t index, const Record&) override {
+            words.push_back("finished " + std::to_string(index));
+        }
+    } heard;
+    const RunPlan plan = plan_of({make_case("good"), make_case("sigkill")});
+    Coordinator coordinator(plan, fake_channels(), never());
+    coordinator.run(Forecast(plan.measure), {&heard});
+    EXPECT_EQ(heard.words, (std::vector<std::string>{"started 0", "finished 0", "started 1", "finished 1"}));
+}
+
+}  // namespace
+}  // namespace ptb
