@@ -28,7 +28,7 @@ TimedRender timed_render(Render& render, PassCutter& cutter, std::uint64_t timer
         result.longest_launch_ns = std::max(result.longest_launch_ns, pass_ns);
         ++result.passes;
         left = render.samples_left();
-        progress(1 - static_cast<double>(left) / static_cast<double>(all));
+        if (!progress(1 - static_cast<double>(left) / static_cast<double>(all))) break;
     }
     if (!result.timer_fault.empty()) result.time.cause = "timer_fault";
     return result;

@@ -30,8 +30,8 @@ struct TimedRender {
     std::int64_t longest_launch_ns = 0;
 };
 
-/// Told after every pass how much of the render is done, 0 to 1.
-using Progress = std::function<void(double done)>;
+/// Told after every pass how much of the render is done, 0 to 1; answers whether to go on.
+using Progress = std::function<bool(double done)>;
 
 /// Renders from an empty film to the end, pass by pass. The events' own lengths steer the cutter, the host's clock
 /// where they are useless.

@@ -34,6 +34,14 @@ bool refused_work_group(const ocl::Error& e) {
     return e.code() == CL_INVALID_WORK_GROUP_SIZE || e.code() == CL_OUT_OF_RESOURCES || e.code() == CL_INVALID_WORK_ITEM_SIZE;
 }
 
+/// Reports passes under a stage's name.
+Progress stage(const Workbench::Stage& progress, const std::string& name) {
+    return [&progress, name](double done) {
+        progress(name, done);
+        return true;
+    };
+}
+
 double headline_ns(const TimeSample& sample, bool host) {
     return static_cast<double>(host ? sample.host_ns : sample.kernel_ns);
 }
@@ -94,7 +102,7 @@ double Workbench::estimate(const Case& params) {
     PassCutter& cutter = cutters_[job.key()];
     std::int64_t ns = 0;
     for (int i = 0; i < 2; ++i) {  // the first render may compile
-        const TimedRender timed = timed_render(*render, cutter, device_.info.timer_resolution_ns, [](double) {});
+        const TimedRender timed = timed_render(*render, cutter, device_.info.timer_resolution_ns, [](double) { return true; });
         ns = timed.timer_fault.empty() ? timed.time.kernel_ns : timed.time.host_ns;
     }
     return kernel.ns_per_sample = static_cast<double>(ns) / static_cast<double>(work.size.pixels() * probe_spp);
@@ -135,7 +143,7 @@ const Validation& Workbench::validated(const Job& job, const Stage& progress) {
     if (!reference) work.spp = std::min(work.spp, 64);
     const auto render = make(job, work);
     timed_render(*render, cutters_[job.key()], device_.info.timer_resolution_ns,
-                 [&](double done) { progress("validate", done); });
+                 stage(progress, "validate"));
     const Film film = render->read_film();
     const Evidence evidence{film, work.size, work.spp, work.path_length};
     Validation validation = check_film(evidence);
@@ -175,7 +183,7 @@ void Workbench::measure(const Job& job, double time_left_s, const std::string& i
     const double predicted_s = estimate(job.params) * work_samples * 1e-9;
     const bool warm = predicted_s > 3;  // a long sample had its warm-up in the validation
     for (int i = 0; i < options_.warmup && !warm; ++i)
-        timed_render(*render, cutter, device_.info.timer_resolution_ns, [&](double done) { progress("warmup", done); });
+        timed_render(*render, cutter, device_.info.timer_resolution_ns, stage(progress, "warmup"));
 
     const FixedSamples rule{options_.samples, options_.max_time_s, time_left_s};
     Measured measured;
@@ -184,7 +192,7 @@ void Workbench::measure(const Job& job, double time_left_s, const std::string& i
     std::string stop;
     while ((stop = rule.stop(measured)).empty()) {
         const TimedRender timed = timed_render(*render, cutter, device_.info.timer_resolution_ns,
-                                               [&](double done) { progress("sample", done); });
+                                               stage(progress, "sample"));
         if (timer_fault_.empty()) timer_fault_ = timed.timer_fault;
         record.samples.push_back(timed.time);
         work.passes = timed.passes;

@@ -25,11 +25,14 @@ struct BuiltKernel {
 /// One device with the kernels built and the verdicts reached on it so far.
 class Workbench {
   public:
+    /// Told how far a case has come: stage "build", "validate", "warmup" or "sample", and the share of it done.
+    using Stage = std::function<void(const std::string& stage, double done)>;
+
     Workbench(const std::string& device_key, const MeasureOptions& options, std::filesystem::path data_folder);
 
     /// Runs one case to its record. Never throws for what a device, driver or kernel does.
     Record run(const Case& params, double time_left_s, const std::string& image_file,
-               const std::function<void(const std::string& stage, double done)>& progress);
+               const Stage& progress);
 
     /// Device time of one pixel sample of this case, ns. Throws what goes wrong.
     double estimate(const Case& params);
@@ -37,7 +40,6 @@ class Workbench {
     const DeviceInfo& device() const { return device_.info; }
 
   private:
-    using Stage = std::function<void(const std::string& stage, double done)>;
     struct Job;  ///< a case resolved: scene, integrator, RenderJob
 
     Job resolve(const Case& params);

@@ -103,8 +103,10 @@ class ThesisRender : public Render {
         Film film;
         film.mean = {job_.size, {}};
         film.mean.rgb.reserve(pixels_ * 3);
-        for (const ptb_float4& pixel : result) {
-            film.mean.rgb.insert(film.mean.rgb.end(), {pixel.x, pixel.y, pixel.z});
+        for (std::size_t i = 0; i < pixels_; ++i) {
+            const ptb_float4& pixel = result[i];
+            const float scale = scale_of(i);
+            film.mean.rgb.insert(film.mean.rgb.end(), {pixel.x * scale, pixel.y * scale, pixel.z * scale});
             film.segments += static_cast<std::uint64_t>(pixel.w);
         }
         return film;
@@ -134,6 +136,12 @@ class ThesisRender : public Render {
         launch_.first_pixel = static_cast<std::uint32_t>(at);
         launch_.pixels = static_cast<std::uint32_t>(std::min(band, pixels_ - at));
         launch_.samples = 1;
+    }
+
+    /// The kernel divides by the whole job's samples; a pixel that has fewer so far is scaled up.
+    float scale_of(std::size_t pixel) const {
+        const std::uint64_t samples = done_ / pixels_ + (pixel < done_ % pixels_ ? 1 : 0);
+        return samples == 0 ? 0.0f : static_cast<float>(job_.spp) / static_cast<float>(samples);
     }
 
     ocl::Device device_;

@@ -1,0 +1,53 @@
+#include "bench/worker/render_job.h"
+
+#include <algorithm>
+
+#include "bench/measure/sampler.h"
+#include "bench/plan/data_dir.h"
+#include "bench/plan/scene_file.h"
+#include "bench/plan/usage_error.h"
+#include "core/image/image_io.h"
+#include "core/integrator/registry.h"
+
+namespace ptb {
+
+namespace {
+
+/// Lane width asked for, or the device's own where the kernel has it.
+int lanes_for(const Integrator& kernel, const DeviceInfo& device, int asked) {
+    if (asked != 0) return asked;
+    const auto& widths = kernel.lanes;
+    const bool has = std::find(widths.begin(), widths.end(), device.default_lanes) != widths.end();
+    return has ? device.default_lanes : widths.front();
+}
+
+}  // namespace
+
+int render_to_file(const RenderRequest& request, std::function<void(double done)> progress,
+                   const std::atomic<bool>& stop) {
+    const Case& c = request.params;
+    const Scene scene = load_scene(scene_file(c.scene, data_dir()));
+    const Integrator& kernel = integrator(c.kernel);
+    const ocl::Device device = ocl::open_device(c.device);
+    const RenderJob job{c.size,
+                        c.spp,
+                        c.path_length,
+                        static_cast<std::uint32_t>(request.seed),
+                        lanes_for(kernel, device.info, c.lanes),
+                        c.work_group.x,
+                        c.work_group.y};
+    const std::string unsupported = unsupported_reason(kernel, device, scene, job);
+    if (!unsupported.empty()) throw UsageError(unsupported);
+    const ocl::Program program = ocl::build(device, kernel_source(kernel.file, request.kernel_dir),
+                                            kernel.options(device, scene, job.lanes));
+    const auto render = kernel.make(device, program, scene, job);
+    PassCutter cutter;
+    timed_render(*render, cutter, device.info.timer_resolution_ns, [&](double done) {
+        progress(done);
+        return !stop.load();
+    });
+    write_image(request.output, render->read_film().mean);
+    return stop ? 130 : 0;
+}
+
+}  // namespace ptb

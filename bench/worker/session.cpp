@@ -1,0 +1,82 @@
+#include "bench/worker/session.h"
+
+#include <limits>
+#include <optional>
+
+#include "bench/plan/data_dir.h"
+#include "bench/worker/workbench.h"
+
+namespace ptb {
+
+namespace {
+
+Response failed(const std::string& reason) {
+    Response response;
+    response.kind = Response::Kind::failed;
+    response.reason = reason;
+    return response;
+}
+
+class DeviceSession : public Session {
+  public:
+    explicit DeviceSession(std::string key) : key_(std::move(key)) {}
+
+    void answer(const Request& request, const Send& send) override {
+        try {
+            send(answered(request, send));
+        } catch (const std::exception& e) {
+            send(failed(e.what()));
+        }
+    }
+
+  private:
+    Response answered(const Request& request, const Send& send) {
+        if (request.kind == Request::Kind::open) return open(request);
+        if (!bench_) return failed("the first request must be open");
+        return request.kind == Request::Kind::estimate ? estimate(request) : run(request, send);
+    }
+
+    Response open(const Request& request) {
+        if (request.protocol != protocol_version)
+            return failed("protocol " + std::to_string(request.protocol) + ", this worker speaks " +
+                          std::to_string(protocol_version));
+        bench_.emplace(key_, request.measure, data_dir());
+        Response response;
+        response.kind = Response::Kind::ready;
+        response.tool_version = PTBENCH_VERSION;
+        return response;
+    }
+
+    Response estimate(const Request& request) {
+        Response response;
+        response.kind = Response::Kind::estimate;
+        response.ns_per_sample = bench_->estimate(request.params);
+        return response;
+    }
+
+    Response run(const Request& request, const Send& send) {
+        const auto progress = [&](const std::string& stage, double done) {
+            Response response;
+            response.kind = Response::Kind::progress;
+            response.stage = stage;
+            response.done = done;
+            send(response);
+        };
+        Response response;
+        response.kind = Response::Kind::record;
+        response.record = bench_->run(request.params, request.time_left_s.value_or(std::numeric_limits<double>::infinity()),
+                                      request.image_file, progress);
+        return response;
+    }
+
+    std::string key_;
+    std::optional<Workbench> bench_;
+};
+
+}  // namespace
+
+std::unique_ptr<Session> make_session(const std::string& device_key) {
+    return std::make_unique<DeviceSession>(device_key);
+}
+
+}  // namespace ptb
