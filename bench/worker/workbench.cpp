@@ -116,7 +116,12 @@ std::optional<Reference> Workbench::stored_reference(const Job& job) const {
 /// A few samples of the host's own tracer, for work that has no stored reference.
 Reference Workbench::host_reference(const Job& job) const {
     const auto trace = job.params.kernel == "thesis" ? trace_thesis : trace_pt;
-    OracleJob work{{32, 32}, 4, job.work.path_length, options_.seed + 1, 2};
+    OracleJob work;
+    work.size = {32, 32};
+    work.spp = 4;
+    work.path_length = job.work.path_length;
+    work.seed = options_.seed + 1;
+    work.threads = 2;
     const std::int64_t begin = now_ns();
     OracleResult result = trace(*job.scene, work);
     work.spp = static_cast<int>(std::clamp(2.0 / std::max(seconds_since(begin), 1e-3) * 4, 4.0, 4000.0));
