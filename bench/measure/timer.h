@@ -14,7 +14,7 @@ std::int64_t union_ns(std::span<const LaunchTimes> launches);
 
 /// What is wrong with the events of one pass that took `host_ns` by the host's clock, or nothing. Rules: 0 < start <=
 /// end; queued <= submit <= start; no launch longer than the host saw (2 % and one tick of the timer allowed); over 10
-/// ms, host and events agree within 20 %.
+/// ms, the host waited at most 20 % longer than from the first launch queued to the last one ended.
 std::string timer_fault(std::span<const LaunchTimes> launches, std::int64_t host_ns, std::uint64_t resolution_ns);
 
 /// Adds one pass to a sample: times of its launches, and the host's.

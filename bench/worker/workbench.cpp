@@ -167,7 +167,7 @@ void Workbench::check_work_group(const Job& job, Record& record) {
     work.spp = probe_spp;
     const auto launched = make(job, work);
     const std::int64_t begin = now_ns();
-    launched->advance(1);
+    launched->advance(work.size.pixels());
     record.build->first_launch_ns = now_ns() - begin;
     launched->restart();
     while (launched->samples_left() > 0) launched->advance(5000);
