@@ -193,17 +193,23 @@ void Workbench::measure(const Job& job, double time_left_s, const std::string& i
     const FixedSamples rule{options_.samples, options_.max_time_s, time_left_s};
     Measured measured;
     Work work;
+    int disagreeing = 0;
     const std::int64_t begin = now_ns();
     std::string stop;
     while ((stop = rule.stop(measured)).empty()) {
         const TimedRender timed = timed_render(*render, cutter, device_.info.timer_resolution_ns,
                                                stage(progress, "sample"));
         if (timer_fault_.empty()) timer_fault_ = timed.timer_fault;
+        disagreeing += clocks_disagree(timed.covered_ns, timed.time.host_ns) ? 1 : 0;
         record.samples.push_back(timed.time);
         work.passes = timed.passes;
         work.longest_launch_ns = std::max(work.longest_launch_ns, timed.longest_launch_ns);
         measured = {measured.samples + 1, seconds_since(begin), static_cast<double>(timed.time.host_ns) * 1e-9};
     }
+
+    if (timer_fault_.empty() && 2 * disagreeing > measured.samples)
+        timer_fault_ = fmt::format("the events miss over a sixth of the host's time in {} of {} samples", disagreeing,
+                                   measured.samples);
 
     const std::int64_t reading = now_ns();
     const Film film = render->read_film();
