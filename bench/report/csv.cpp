@@ -19,7 +19,8 @@ namespace {
 /// Text from drivers and files, on one line and never a formula.
 std::string text(const std::string& untrusted) {
     std::string cell = printable(untrusted);
-    if (!cell.empty() && std::string("=+-@").find(cell[0]) != std::string::npos) cell.insert(0, "'");
+    if (!cell.empty() && std::string("=+-@").find(cell[0]) != std::string::npos)
+        cell.insert(cell.begin(), '\'');
     return cell;
 }
 
@@ -33,15 +34,15 @@ std::string ms_text(double ns) {
 
 std::string quoted(const std::string& cell) {
     if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
-    std::string result = "\"";
-    for (const char c : cell) result += c == '"' ? "\"\"" : std::string(1, c);
-    return result + "\"";
+    std::string doubled;
+    for (const char c : cell) doubled.append(c == '"' ? 2 : 1, c);
+    return fmt::format("\"{}\"", doubled);
 }
 
 std::string line(const std::vector<std::string>& cells) {
-    std::string result;
-    for (std::size_t i = 0; i < cells.size(); ++i) result += (i == 0 ? "" : ",") + quoted(cells[i]);
-    return result + "\n";
+    std::vector<std::string> quoted_cells;
+    for (const auto& cell : cells) quoted_cells.push_back(quoted(cell));
+    return fmt::format("{}\n", fmt::join(quoted_cells, ","));
 }
 
 /// What a column is made from.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "bench/record/printable.h"
 
 namespace ptb {
@@ -30,12 +32,12 @@ std::vector<std::size_t> column_widths(const Grid& grid) {
 
 std::string text_line(const Grid& grid, const std::vector<std::string>& cells,
                       const std::vector<std::size_t>& widths) {
-    std::string line;
+    std::vector<std::string> aligned;
     for (std::size_t i = 0; i < cells.size(); ++i)
-        line += (i == 0 ? "" : "  ") +
-                padded(shown(cells[i], grid.columns[i]), widths[i], grid.columns[i].number);
+        aligned.push_back(padded(shown(cells[i], grid.columns[i]), widths[i], grid.columns[i].number));
+    std::string line = fmt::format("{}", fmt::join(aligned, "  "));
     line.erase(line.find_last_not_of(' ') + 1);
-    return line + "\n";
+    return line += '\n';
 }
 
 std::vector<std::string> titles(const Grid& grid) {
@@ -63,41 +65,42 @@ std::string escaped(const std::string& text) {
 }
 
 std::string markdown_line(const std::vector<std::string>& cells) {
-    std::string line = "|";
-    for (const auto& cell : cells) line += " " + escaped(cell) + " |";
-    return line + "\n";
+    std::vector<std::string> safe;
+    for (const auto& cell : cells) safe.push_back(escaped(cell));
+    return fmt::format("| {} |\n", fmt::join(safe, " | "));
+}
+
+std::string text_grid(const Grid& grid) {
+    const auto widths = column_widths(grid);
+    std::vector<std::string> rules;
+    for (const auto columns : widths) rules.emplace_back(columns, '-');
+    std::string text = text_line(grid, titles(grid), widths) + text_line(grid, rules, widths);
+    for (const auto& row : grid.rows) text += text_line(grid, row, widths);
+    return text;
+}
+
+std::string markdown_grid(const Grid& grid) {
+    std::vector<std::string> rules;
+    for (const Column& column : grid.columns) rules.emplace_back(column.number ? "---:" : "---");
+    std::string text = markdown_line(titles(grid)) + fmt::format("| {} |\n", fmt::join(rules, " | "));
+    for (const auto& row : grid.rows) text += markdown_line(row);
+    return text;
 }
 
 }  // namespace
 
 std::string to_text(const Section& section) {
-    std::string text = printable(section.title) + "\n";
-    const auto& grid = section.grid;
-    if (!grid.rows.empty()) {
-        const auto widths = column_widths(grid);
-        std::vector<std::string> rules;
-        for (const auto columns : widths) rules.emplace_back(columns, '-');
-        text += text_line(grid, titles(grid), widths);
-        // Rules are as wide as their column already, so they are not shortened.
-        for (std::size_t i = 0; i < rules.size(); ++i) text += (i == 0 ? "" : "  ") + rules[i];
-        text += "\n";
-        for (const auto& row : grid.rows) text += text_line(grid, row, widths);
-    }
-    for (const auto& note : section.notes) text += "  " + printable(note) + "\n";
+    std::string text = fmt::format("{}\n", printable(section.title));
+    if (!section.grid.rows.empty()) text += text_grid(section.grid);
+    for (const auto& note : section.notes) text += fmt::format("  {}\n", printable(note));
     return text;
 }
 
 std::string to_markdown(const Section& section) {
-    std::string text = "### " + escaped(section.title) + "\n\n";
-    const auto& grid = section.grid;
-    if (!grid.rows.empty()) {
-        text += markdown_line(titles(grid)) + "|";
-        for (const Column& column : grid.columns) text += column.number ? " ---: |" : " --- |";
-        text += "\n";
-        for (const auto& row : grid.rows) text += markdown_line(row);
-    }
-    if (!section.notes.empty() && !grid.rows.empty()) text += "\n";
-    for (const auto& note : section.notes) text += "- " + escaped(note) + "\n";
+    std::string text = fmt::format("### {}\n\n", escaped(section.title));
+    if (!section.grid.rows.empty()) text += markdown_grid(section.grid);
+    if (!section.grid.rows.empty() && !section.notes.empty()) text += '\n';
+    for (const auto& note : section.notes) text += fmt::format("- {}\n", escaped(note));
     return text;
 }
 

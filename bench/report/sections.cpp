@@ -1,5 +1,7 @@
 #include "bench/report/sections.h"
 
+#include <fmt/format.h>
+
 #include "bench/report/markdown.h"
 #include "bench/report/table.h"
 
@@ -19,9 +21,9 @@ namespace {
 
 template <class Render>
 std::string joined(const std::vector<Section>& sections, Render render) {
-    std::string text;
-    for (const Section& section : sections) text += (text.empty() ? "" : "\n") + render(section);
-    return text;
+    std::vector<std::string> texts;
+    for (const Section& section : sections) texts.push_back(render(section));
+    return fmt::format("{}", fmt::join(texts, "\n"));
 }
 
 }  // namespace

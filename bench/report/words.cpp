@@ -29,7 +29,7 @@ std::string spread_text(const Statistics& s) {
     const auto percent = [&](double ns) { return fmt::format("{:.1f}", 100 * ns / s.median_ns); };
     if (!std::isfinite(s.median_ns) || s.median_ns <= 0) return "-";
     if (s.ci_low_ns && s.ci_high_ns) return percent((*s.ci_high_ns - *s.ci_low_ns) / 2);
-    return s.n >= 3 && std::isfinite(s.mad_ns) ? "~" + percent(s.mad_ns) : "-";
+    return s.n >= 3 && std::isfinite(s.mad_ns) ? fmt::format("~{}", percent(s.mad_ns)) : "-";
 }
 
 DeviceInfo device_of(const ResultFile& result, const std::string& key) {
@@ -56,7 +56,7 @@ std::string device_label(const ResultFile& result, const std::string& key) {
     const auto same = std::count_if(
         result.devices.begin(), result.devices.end(),
         [&](const DeviceInfo& other) { return other.name == device.name && other.excluded.empty(); });
-    return same > 1 ? "[" + key + "] " + device.name : device.name;
+    return same > 1 ? fmt::format("[{}] {}", key, device.name) : device.name;
 }
 
 bool timed(const Record& record) {
