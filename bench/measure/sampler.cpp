@@ -23,6 +23,7 @@ TimedRender timed_render(Render& render, PassCutter& cutter, std::uint64_t timer
         const std::string fault = timer_fault(launches, host_ns, timer_resolution_ns);
         if (result.timer_fault.empty()) result.timer_fault = fault;
         add_pass(result.time, launches, host_ns);
+        result.covered_ns += covered_ns(launches);
         const std::int64_t pass_ns = fault.empty() ? union_ns(launches) : host_ns;
         cutter.learn(left - render.samples_left(), pass_ns);
         result.longest_launch_ns = std::max(result.longest_launch_ns, pass_ns);

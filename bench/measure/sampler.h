@@ -26,6 +26,7 @@ class PassCutter {
 struct TimedRender {
     TimeSample time;
     std::string timer_fault;  ///< what was wrong with the events, or nothing
+    std::int64_t covered_ns = 0;  ///< of the host's time, what the events account for
     int passes = 0;
     std::int64_t longest_launch_ns = 0;
 };

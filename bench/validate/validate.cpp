@@ -84,26 +84,52 @@ void check_full_length(Validation& validation, const Evidence& evidence, const R
                                      "standard errors)", 100 * share, 100 * expected, z));
 }
 
+/// Pixel blocks of a film, of its reference, and of the reference's variance.
+struct BlockFamily {
+    int edge = 1;
+    Blocks found, expected, variance;
+
+    BlockFamily(const Evidence& evidence, const Reference& reference, int block)
+        : edge(block),
+          found(block_means(evidence.film.mean, block)),
+          expected(block_means(reference.mean, block)),
+          variance(block_means(reference.variance, block)) {}
+
+    /// How many hits of the light this block's mean is worth: light is hit rarely, and a sum of few hits is not Gaussian.
+    double hits(std::size_t i, int spp) const {
+        if (variance.rgb[i] == 0) return std::numeric_limits<double>::infinity();
+        return expected.rgb[i] * expected.rgb[i] / variance.rgb[i] * found.pixels[i / 3] * spp;
+    }
+    bool gaussian(std::size_t i, int spp) const { return hits(i, spp) >= block_hits; }
+    bool mostly_gaussian(int spp) const {
+        std::size_t poor = 0;
+        for (std::size_t i = 0; i < found.rgb.size(); ++i) poor += gaussian(i, spp) ? 0 : 1;
+        return 10 * poor <= found.rgb.size();
+    }
+};
+
 void check_blocks(Validation& validation, const Evidence& evidence, const Reference& reference) {
-    const int edge = block_edge(block_samples, std::min(evidence.spp, reference.spp));
-    if (evidence.size != reference.size || edge > std::min(evidence.size.width, evidence.size.height)) return;
-    const Blocks found = block_means(evidence.film.mean, edge);
-    const Blocks expected = block_means(reference.mean, edge);
-    const Blocks variance = block_means(reference.variance, edge);
-    const double limit = sidak_limit(family_alpha, found.rgb.size());
+    const int spp = std::min(evidence.spp, reference.spp);
+    const int largest = std::min(evidence.size.width, evidence.size.height) / 2;
+    int edge = block_edge(block_samples, spp);
+    if (evidence.size != reference.size || edge > largest) return;
+    while (2 * edge <= largest && !BlockFamily(evidence, reference, edge).mostly_gaussian(spp)) edge *= 2;
+    const BlockFamily blocks(evidence, reference, edge);
+    const double limit = sidak_limit(family_alpha, blocks.found.rgb.size());
     double worst = 0;
-    for (std::size_t i = 0; i < found.rgb.size(); ++i) {
-        const int pixels = found.pixels[i / 3];
-        const double z = z_score(found.rgb[i], expected.rgb[i],
-                                 difference_variance(variance.rgb[i], 1.0 * pixels * evidence.spp, 1.0 * pixels * reference.spp));
+    for (std::size_t i = 0; i < blocks.found.rgb.size(); ++i) {
+        if (!blocks.gaussian(i, spp)) continue;
+        const double pixels = blocks.found.pixels[i / 3];
+        const double found = blocks.found.rgb[i], expected = blocks.expected.rgb[i];
+        const double z = z_score(found, expected, difference_variance(blocks.variance.rgb[i], pixels * evidence.spp,
+                                                                      pixels * reference.spp));
         worst = std::max(worst, std::abs(z));
-        if (std::abs(z) > limit) {
-            const auto block = static_cast<int>(i / 3);
-            fail(validation, fmt::format("{}x{} block at column {}, row {}: {} is {:.5f}, the reference's is {:.5f} "
-                                         "({:.1f} standard errors, limit {:.1f})",
-                                         edge, edge, block % found.across * edge, block / found.across * edge,
-                                         channel_names[i % 3], found.rgb[i], expected.rgb[i], z, limit));
-        }
+        const int block = static_cast<int>(i / 3);
+        if (std::abs(z) > limit)
+            fail(validation, fmt::format("{}x{} block at column {}, row {}: {} is {:.5f}, the reference's is {:.5f} ({:.1f} "
+                                         "standard errors, limit {:.1f})",
+                                         edge, edge, block % blocks.found.across * edge, block / blocks.found.across * edge,
+                                         channel_names[i % 3], found, expected, z, limit));
     }
     validation.max_abs_z = std::isfinite(worst) ? worst : 1e9;
     validation.z_limit = limit;

@@ -14,8 +14,10 @@ inline constexpr Size validation_size{128, 128};
 
 /// One family of block tests rejects a right image with this probability.
 inline constexpr double family_alpha = 0.001;
-/// A block needs as many samples before its mean is near enough to Gaussian (light is hit rarely).
+/// Blocks hold at least as many samples, and grow until nine in ten are worth as many hits of the light; only means near
+/// enough to Gaussian are tested.
 inline constexpr std::uint64_t block_samples = 60'000;
+inline constexpr double block_hits = 100;
 
 /// A film to be judged, and the job it came from.
 struct Evidence {

@@ -116,7 +116,12 @@ std::optional<Reference> Workbench::stored_reference(const Job& job) const {
 /// A few samples of the host's own tracer, for work that has no stored reference.
 Reference Workbench::host_reference(const Job& job) const {
     const auto trace = job.params.kernel == "thesis" ? trace_thesis : trace_pt;
-    OracleJob work{{32, 32}, 4, job.work.path_length, options_.seed + 1, 2};
+    OracleJob work;
+    work.size = {32, 32};
+    work.spp = 4;
+    work.path_length = job.work.path_length;
+    work.seed = options_.seed + 1;
+    work.threads = 2;
     const std::int64_t begin = now_ns();
     OracleResult result = trace(*job.scene, work);
     work.spp = static_cast<int>(std::clamp(2.0 / std::max(seconds_since(begin), 1e-3) * 4, 4.0, 4000.0));
@@ -162,7 +167,7 @@ void Workbench::check_work_group(const Job& job, Record& record) {
     work.spp = probe_spp;
     const auto launched = make(job, work);
     const std::int64_t begin = now_ns();
-    launched->advance(1);
+    launched->advance(work.size.pixels());
     record.build->first_launch_ns = now_ns() - begin;
     launched->restart();
     while (launched->samples_left() > 0) launched->advance(5000);
@@ -188,17 +193,23 @@ void Workbench::measure(const Job& job, double time_left_s, const std::string& i
     const FixedSamples rule{options_.samples, options_.max_time_s, time_left_s};
     Measured measured;
     Work work;
+    int disagreeing = 0;
     const std::int64_t begin = now_ns();
     std::string stop;
     while ((stop = rule.stop(measured)).empty()) {
         const TimedRender timed = timed_render(*render, cutter, device_.info.timer_resolution_ns,
                                                stage(progress, "sample"));
         if (timer_fault_.empty()) timer_fault_ = timed.timer_fault;
+        disagreeing += clocks_disagree(timed.covered_ns, timed.time.host_ns) ? 1 : 0;
         record.samples.push_back(timed.time);
         work.passes = timed.passes;
         work.longest_launch_ns = std::max(work.longest_launch_ns, timed.longest_launch_ns);
         measured = {measured.samples + 1, seconds_since(begin), static_cast<double>(timed.time.host_ns) * 1e-9};
     }
+
+    if (timer_fault_.empty() && 2 * disagreeing > measured.samples)
+        timer_fault_ = fmt::format("the events miss over a sixth of the host's time in {} of {} samples", disagreeing,
+                                   measured.samples);
 
     const std::int64_t reading = now_ns();
     const Film film = render->read_film();

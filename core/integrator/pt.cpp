@@ -11,6 +11,9 @@ namespace ptb {
 
 namespace {
 
+/// Of the kernel that adds tallies to the film. Fixed, since PoCL compiles once a size; every device allows 32.
+constexpr int add_work_group = 32;
+
 /// How one device is kept busy.
 struct Shape {
     std::uint64_t items;             ///< work-items of a launch; they share one queue of units
@@ -99,8 +102,8 @@ class PtRender : public Render {
             add_.setArg(0, film_);
             add_.setArg(1, tallies_);
             add_.setArg(2, launch_);
-            device_.queue.enqueueNDRangeKernel(add_, cl::NullRange, cl::NDRange(launch_.pixels), cl::NullRange, nullptr,
-                                               &events[1]);
+            const Ranges pixels = one_dimensional(launch_.pixels, add_work_group);
+            device_.queue.enqueueNDRangeKernel(add_, cl::NullRange, pixels.global, pixels.local, nullptr, &events[1]);
             device_.queue.finish();
         });
         step_on();

@@ -1,6 +1,7 @@
 #include "core/integrator/thesis.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/integrator/camera.h"
 #include "shared/thesis.h"
@@ -118,24 +119,24 @@ class ThesisRender : public Render {
     }
 
   private:
-    /// Whole images while the budget holds one, else a band of whole rows (a part of a row when 1-D and that is too
-    /// much still). A pixel's samples stay in order, so the cut changes nothing.
+    /// Whole images while the budget holds one, else a band: a power of two of rows, or of pixels where a row is too much
+    /// (one dimension only). So ranges come in few sizes, and a runtime that chooses the work-group by the range, or
+    /// compiles for it, does so seldom. A pixel's samples stay in order, so the cut changes nothing.
     void plan_launch(std::uint64_t samples) {
         const std::uint64_t at = done_ % pixels_;
-        const std::uint64_t left = samples_left();
-        if (at == 0 && samples >= pixels_) {
-            launch_.first_pixel = 0;
-            launch_.pixels = static_cast<std::uint32_t>(pixels_);
-            launch_.samples =
-                static_cast<std::uint32_t>(std::min(std::min(samples, left) / pixels_, samples_per_launch_));
-            return;
-        }
-        const std::uint64_t width = launch_.width;
-        std::uint64_t band = std::clamp<std::uint64_t>(samples, 1, pixels_ - at);
-        if (band >= width || job_.work_group_y != 0) band = std::max(band / width * width, width);
+        const bool whole = at == 0 && samples >= pixels_;
         launch_.first_pixel = static_cast<std::uint32_t>(at);
-        launch_.pixels = static_cast<std::uint32_t>(std::min(band, pixels_ - at));
+        launch_.pixels = static_cast<std::uint32_t>(whole ? pixels_ : band(std::min(samples, pixels_ - at)));
         launch_.samples = 1;
+        if (whole)
+            launch_.samples = static_cast<std::uint32_t>(
+                std::min({samples / pixels_, samples_left() / pixels_, samples_per_launch_}));
+    }
+
+    std::uint64_t band(std::uint64_t pixels) const {
+        const std::uint64_t width = launch_.width;
+        if (pixels < width && job_.work_group_y == 0) return std::bit_floor(std::max<std::uint64_t>(pixels, 1));
+        return width * std::bit_floor(std::max<std::uint64_t>(pixels / width, 1));
     }
 
     /// The kernel divides by the whole job's samples; a pixel that has fewer so far is scaled up.

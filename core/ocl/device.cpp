@@ -67,10 +67,11 @@ std::string uuid_of(const cl::Device& device) {
     return hex;
 }
 
-/// Rays a work-item should trace together. Runtimes that vectorise across work-items themselves, and GPUs, want 1;
-/// PoCL keeps such kernels scalar and wants its SIMD width.
+/// Rays a work-item should trace together: the SIMD width on CPUs, whose compilers keep a kernel with one ray a
+/// work-item scalar (PoCL) or lose most of its width (Intel). GPUs want 1, and so does Mesa's llvmpipe, which vectorises
+/// across work-items.
 int default_lanes(const DeviceInfo& info) {
-    if (info.type != "CPU" || info.platform != "Portable Computing Language") return 1;
+    if (info.type != "CPU" || info.platform == "rusticl") return 1;
     for (const int lanes : {16, 8, 4})
         if (info.native_float_width >= lanes) return lanes;
     return 1;

@@ -67,7 +67,7 @@ class JsonChecker : public nlohmann::json_sax<nlohmann::json> {
 
 }  // namespace
 
-nlohmann::json parse_json(std::string_view text, const std::string& origin) {
+nlohmann::json parse_scene_json(std::string_view text, const std::string& origin) {
     JsonChecker checker(text, origin);
     nlohmann::json::sax_parse(text, &checker);
     return nlohmann::json::parse(text);

@@ -143,7 +143,7 @@ std::vector<Sphere> read_spheres(const JsonNode& node, const std::vector<Materia
 }  // namespace
 
 Scene parse_scene(std::string_view json_text, const std::string& origin) {
-    const nlohmann::json json = parse_json(json_text, origin);
+    const nlohmann::json json = parse_scene_json(json_text, origin);
     const JsonNode root(json, origin);
     root.allow_only({"name", "camera", "materials", "spheres"}, "a scene");
     Scene scene;

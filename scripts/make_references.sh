@@ -1,0 +1,25 @@
+#!/bin/sh
+# Makes results/references: the exact commands. Run from the repository's root; takes about 25 minutes of one core.
+# usage: scripts/make_references.sh [FOLDER OF ptbench_reference] [THREADS]
+set -eu
+bin=${1:-build/release/bin}
+threads=${2:-1}
+
+make_one() { # scene kernel path_length spp
+    echo "$1 $2, path length $3, $4 spp" >&2
+    "$bin/ptbench_reference" --scene "configs/scenes/$1.json" --kernel "$2" --path-length "$3" --spp "$4" \
+        --size 128 --seed 1 --threads "$threads" --out results/references
+}
+
+for scene in thesis free_light; do
+    for kernel in pt thesis; do
+        make_one "$scene" "$kernel" 2 8000
+        make_one "$scene" "$kernel" 5 4000
+    done
+done
+make_one furnace pt 5 64 # every sample is the same
+make_one furnace pt 128 64
+make_one thesis pt 128 6000
+make_one thesis thesis 128 4000
+make_one free_light pt 128 4000
+make_one free_light thesis 128 4000

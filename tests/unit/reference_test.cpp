@@ -1,0 +1,249 @@
+#include "core/oracle/reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "core/image/image_io.h"
+
+namespace ptb {
+namespace {
+
+const std::filesystem::path root = PTB_SOURCE_DIR;
+
+Reference stored(const std::string& name) {
+    return load_reference(root / "results/references", name).value();
+}
+
+nlohmann::json figures(const std::string& file) {
+    std::ifstream stream(root / "tests/data" / file);
+    return nlohmann::json::parse(stream);
+}
+
+/// Mean of a block of pixels and its standard error.
+struct Estimate {
+    double mean = 0, standard_error = 0;
+};
+
+Estimate block_estimate(const Reference& reference, std::size_t side, std::size_t column, std::size_t row,
+                        std::size_t channel) {
+    const auto width = static_cast<std::size_t>(reference.size.width);
+    double sum = 0, variance = 0;
+    for (std::size_t y = row * side; y < (row + 1) * side; ++y) {
+        for (std::size_t x = column * side; x < (column + 1) * side; ++x) {
+            const std::size_t i = 3 * (y * width + x) + channel;
+            sum += static_cast<double>(reference.mean.rgb[i]);
+            variance += static_cast<double>(reference.variance.rgb[i]) / reference.spp;
+        }
+    }
+    const auto pixels = static_cast<double>(side * side);
+    return {sum / pixels, std::sqrt(variance) / pixels};
+}
+
+Estimate image_estimate(const Reference& reference, std::size_t channel) {
+    return block_estimate(reference, static_cast<std::size_t>(reference.size.width), 0, 0, channel);
+}
+
+/// How far two estimates are apart in standard errors; the figures have six decimals.
+double z_score(const Estimate& a, const Estimate& b) {
+    return (a.mean - b.mean) / std::hypot(a.standard_error, b.standard_error, 3e-7);
+}
+
+std::vector<double> block_z_scores(const Reference& reference, const nlohmann::json& truth) {
+    const auto blocks = truth.at("size").get<std::size_t>() / truth.at("block").get<std::size_t>();
+    const std::size_t side = static_cast<std::size_t>(reference.size.width) / blocks;
+    std::vector<double> scores;
+    for (std::size_t row = 0; row < blocks; ++row) {
+        for (std::size_t column = 0; column < blocks; ++column) {
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                const Estimate theirs = {truth.at("mean")[row][column][channel],
+                                         truth.at("standard_error")[row][column][channel]};
+                const Estimate ours = block_estimate(reference, side, column, row, channel);
+                if (ours.standard_error > 0 || theirs.standard_error > 0)
+                    scores.push_back(z_score(ours, theirs));
+                else
+                    EXPECT_EQ(ours.mean, theirs.mean);
+            }
+        }
+    }
+    return scores;
+}
+
+/// The scores must look like draws from a unit Gaussian: a wrong block shows in the largest, a tracer that is
+/// wrong a little everywhere in their root mean square.
+void expect_gaussian(const std::vector<double>& scores) {
+    double squares = 0, largest = 0;
+    for (const double z : scores) {
+        squares += z * z;
+        largest = std::max(largest, std::abs(z));
+    }
+    const double rms = std::sqrt(squares / static_cast<double>(scores.size()));
+    ::testing::Test::RecordProperty("z_rms", std::to_string(rms));
+    ::testing::Test::RecordProperty("z_largest", std::to_string(largest));
+    EXPECT_GT(rms, 0.85);
+    EXPECT_LT(rms, 1.15);
+    EXPECT_LT(largest, 5);
+}
+
+void expect_same_image_mean(const Reference& reference, const nlohmann::json& truth) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const Estimate theirs = {truth.at("image_mean")[channel],
+                                 truth.at("image_mean_standard_error")[channel]};
+        const double z = z_score(image_estimate(reference, channel), theirs);
+        ::testing::Test::RecordProperty("image_z_" + std::to_string(channel), std::to_string(z));
+        EXPECT_LT(std::abs(z), 4) << "channel " << channel;
+    }
+}
+
+TEST(StoredReference, thesis_scene_agrees_with_an_independent_tracer) {
+    const nlohmann::json truth = figures("thesis_128_pl128_blocks.json");
+    const Reference reference = stored("thesis_pt_128x128_pl128");
+    expect_same_image_mean(reference, truth);
+    expect_gaussian(block_z_scores(reference, truth));
+}
+
+TEST(StoredReference, free_light_scene_agrees_with_mitsuba) {
+    const nlohmann::json truth = figures("free_light_64_pl128_mitsuba_blocks.json");
+    const Reference reference = stored("free_light_pt_128x128_pl128");
+    expect_same_image_mean(reference, truth);
+    expect_gaussian(block_z_scores(reference, truth));
+}
+
+TEST(StoredReference, paths_have_the_true_number_of_segments) {
+    // 37 to 39 would be paths lost inside a wall, of which the picture shows next to nothing.
+    const Reference reference = stored("thesis_pt_128x128_pl128");
+    EXPECT_NEAR(reference.segments_per_sample, 30.870303, 0.005 * 30.87);
+}
+
+TEST(StoredReference, per_sample_variance_agrees_with_an_independent_tracer) {
+    const nlohmann::json truth = figures("thesis_128_pl128_blocks.json").at("mean_per_sample_variance");
+    const Reference reference = stored("thesis_pt_128x128_pl128");
+    double sum[3] = {};
+    for (std::size_t i = 0; i < reference.variance.rgb.size(); ++i)
+        sum[i % 3] += static_cast<double>(reference.variance.rgb[i]);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const double mean = sum[channel] / static_cast<double>(reference.size.pixels());
+        EXPECT_NEAR(mean, truth[channel].get<double>(), 0.01 * mean);
+    }
+}
+
+TEST(StoredReference, every_one_loads_and_is_named_by_what_it_holds) {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(root / "results/references")) {
+        if (entry.path().extension() != ".json") continue;
+        ++count;
+        const Reference reference = stored(entry.path().stem().string());
+        EXPECT_EQ(entry.path().stem().string(),
+                  reference_name(reference.scene, reference.kernel, reference.size, reference.path_length));
+        EXPECT_LE(std::filesystem::file_size(entry.path().parent_path() / (entry.path().stem() += ".exr")),
+                  500'000U);
+        for (const Image* image : {&reference.mean, &reference.variance}) {
+            for (const float value : image->rgb)
+                ASSERT_TRUE(std::isfinite(value) && value >= 0) << entry.path();
+        }
+    }
+    EXPECT_EQ(count, 14);
+}
+
+TEST(StoredReference, furnace_has_its_closed_form) {
+    const double albedo[] = {0.5, 0.7, 0.9};  // of configs/scenes/furnace.json
+    for (const int path_length : {5, 128}) {
+        const Reference reference = stored("furnace_pt_128x128_pl" + std::to_string(path_length));
+        EXPECT_EQ(reference.segments_per_sample, path_length);
+        EXPECT_EQ(reference.segments_variance, 0);
+        EXPECT_EQ(reference.full_length_share, 1);
+        for (std::size_t i = 0; i < reference.mean.rgb.size(); ++i) {
+            const double a = albedo[i % 3];
+            EXPECT_FLOAT_EQ(reference.mean.rgb[i],
+                            static_cast<float>((1 - std::pow(a, path_length)) / (1 - a)));
+            EXPECT_EQ(reference.variance.rgb[i], 0);
+        }
+    }
+}
+
+/// A folder of its own, removed with the test.
+class ReferenceFiles : public ::testing::Test {
+  protected:
+    ReferenceFiles()
+        : folder_(std::filesystem::temp_directory_path() / ("ptbench_ref_" + std::to_string(getpid()))) {
+        std::filesystem::create_directories(folder_);
+    }
+    ~ReferenceFiles() override { std::filesystem::remove_all(folder_); }
+
+    std::filesystem::path folder_;
+    Reference sample_ = {.scene = "s",
+                         .kernel = "pt",
+                         .size = {2, 1},
+                         .path_length = 7,
+                         .spp = 3,
+                         .segments_per_sample = 2.5,
+                         .segments_variance = 0.1,
+                         .full_length_share = 0.25,
+                         .made_by = "by hand",
+                         .mean = {{2, 1}, {0, 1, 2, 3, 4, 0.1F}},
+                         .variance = {{2, 1}, {0, 1e-30F, 0.1F, 1e9F, 4, 0}}};
+};
+
+TEST_F(ReferenceFiles, come_back_as_they_were_saved) {
+    save_reference(folder_, sample_);
+    const Reference read = load_reference(folder_, "s_pt_2x1_pl7").value();
+    EXPECT_EQ(read.scene, "s");
+    EXPECT_EQ(read.kernel, "pt");
+    EXPECT_EQ(read.size, (Size{2, 1}));
+    EXPECT_EQ(read.path_length, 7);
+    EXPECT_EQ(read.spp, 3);
+    EXPECT_EQ(read.segments_per_sample, 2.5);
+    EXPECT_EQ(read.segments_variance, 0.1);
+    EXPECT_EQ(read.full_length_share, 0.25);
+    EXPECT_EQ(read.made_by, "by hand");
+    EXPECT_EQ(read.mean, sample_.mean);
+}
+
+TEST_F(ReferenceFiles, variance_loses_digits_but_zero_stays_the_only_zero) {
+    save_reference(folder_, sample_);
+    const Image read = load_reference(folder_, "s_pt_2x1_pl7").value().variance;
+    for (std::size_t i = 0; i < read.rgb.size(); ++i) {
+        const float truth = sample_.variance.rgb[i];
+        EXPECT_NEAR(read.rgb[i], truth, 0.0005F * truth);
+        EXPECT_EQ(read.rgb[i] == 0, truth == 0);
+    }
+}
+
+TEST_F(ReferenceFiles, none_is_no_error_but_half_of_one_is) {
+    EXPECT_FALSE(load_reference(folder_, "s_pt_2x1_pl7").has_value());
+    save_reference(folder_, sample_);
+    std::filesystem::remove(folder_ / "s_pt_2x1_pl7.exr");
+    EXPECT_THROW(load_reference(folder_, "s_pt_2x1_pl7"), ImageError);
+    save_reference(folder_, sample_);
+    std::filesystem::remove(folder_ / "s_pt_2x1_pl7.json");
+    EXPECT_THROW(load_reference(folder_, "s_pt_2x1_pl7"), ImageError);
+}
+
+TEST_F(ReferenceFiles, contradictions_are_errors) {
+    save_reference(folder_, sample_);
+    for (const char* text : {"{", "{}", "[1]", R"({"scene": 1})"}) {
+        std::ofstream(folder_ / "s_pt_2x1_pl7.json") << text;
+        EXPECT_THROW(load_reference(folder_, "s_pt_2x1_pl7"), ImageError) << text;
+    }
+    sample_.size = {1, 1};  // the picture has two pixels
+    EXPECT_THROW(
+        {
+            save_reference(folder_, sample_);
+            load_reference(folder_, "s_pt_1x1_pl7");
+        },
+        ImageError);
+    sample_.size = {2, 1};
+    sample_.spp = 0;
+    save_reference(folder_, sample_);
+    EXPECT_THROW(load_reference(folder_, "s_pt_2x1_pl7"), ImageError);
+}
+
+}  // namespace
+}  // namespace ptb
