@@ -37,9 +37,7 @@ std::vector<Icd> icds_of_folder(const fs::path& folder) {
 
 }  // namespace
 
-IcdEnvironment icd_environment() {
-    return {variable("OCL_ICD_VENDORS"), variable("OCL_ICD_FILENAMES")};
-}
+IcdEnvironment icd_environment() { return {variable("OCL_ICD_VENDORS"), variable("OCL_ICD_FILENAMES")}; }
 
 Icd icd_from_file(const std::string& file) {
     if (fs::path(file).extension() == ".icd") return {file, text_of(file)};

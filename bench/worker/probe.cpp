@@ -72,9 +72,7 @@ void exclude_if_known(DeviceInfo& device, const std::vector<DeviceInfo>& known) 
     }
 }
 
-std::string one_line(const Json& json) {
-    return dump_json(json) + "\n";
-}
+std::string one_line(const Json& json) { return dump_json(json) + "\n"; }
 
 }  // namespace
 
@@ -133,13 +131,9 @@ std::string local_key(const std::string& key) {
     return key.substr(0, at) + key.substr(colon);
 }
 
-std::string probe_line(const std::vector<DeviceInfo>& devices) {
-    return one_line({{"devices", devices}});
-}
+std::string probe_line(const std::vector<DeviceInfo>& devices) { return one_line({{"devices", devices}}); }
 
-std::string probe_error_line(const std::string& reason) {
-    return one_line({{"error", reason}});
-}
+std::string probe_error_line(const std::string& reason) { return one_line({{"error", reason}}); }
 
 std::vector<DeviceInfo> parse_probe_line(const std::string& line) {
     const auto json = Json::parse(line, nullptr, false);
