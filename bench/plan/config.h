@@ -2,25 +2,19 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "bench/plan/case.h"
+#include "bench/plan/usage_error.h"
 #include "bench/record/record.h"
 
 namespace ptb {
 
-/// A user's mistake in a flag, an axis or a config file. `what()` is one line: the flag or file and JSON pointer,
-/// what was found, what is allowed. Ends the run with exit code 2.
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-/// One axis of a sweep and its values as text, in the words of flags and config files: {"spp", {"10", "100"}}.
-/// Linked axes share one entry: names {"spp", "size"}, each point "10,1024".
+/// One axis of a sweep and its values as text, in the words of flags and config files: {"spp", {"10",
+/// "100"}}. Linked axes share one entry: names {"spp", "size"}, each point "10,1024".
 struct Axis {
     std::vector<std::string> names;
     std::vector<std::vector<std::string>> points;  ///< points[i][j] belongs to names[j]
@@ -37,12 +31,12 @@ struct Series {
 /// How a case is measured; the part of a config that workers need.
 struct MeasureOptions {
     std::uint64_t seed = 1;
-    int warmup = 1;               ///< untimed samples before the timed ones
-    int samples = 5;              ///< timed samples of a case
-    double max_time_s = 30;       ///< no further sample of a case starts after this; one is always taken
-    std::string timer = "auto";   ///< "auto", "event" or "host"
-    bool skip_time = false;       ///< validate only
-    std::string kernel_dir;       ///< kernels from this folder instead of the embedded ones, or empty
+    int warmup = 1;              ///< untimed samples before the timed ones
+    int samples = 5;             ///< timed samples of a case
+    double max_time_s = 30;      ///< no further sample of a case starts after this; one is always taken
+    std::string timer = "auto";  ///< "auto", "event" or "host"
+    bool skip_time = false;      ///< validate only
+    std::string kernel_dir;      ///< kernels from this folder instead of the embedded ones, or empty
     bool operator==(const MeasureOptions&) const = default;
 };
 
@@ -64,6 +58,13 @@ Axis parse_axis(std::string_view text);
 /// Names of the axes, in the order in which a sweep is nested (device-major), with one line of help each.
 const std::vector<std::pair<std::string, std::string>>& axis_help();
 
+std::vector<std::string> axis_names();
+/// Throws UsageError, with the nearest name, unless `name` is an axis.
+void check_axis_name(const std::string& name);
+
+/// The case whose axes all have their default values; its device is empty.
+Case default_case();
+
 /// Sets one field of a case from text: size "128" or "640x480", work_group "implicit", "64", "16x16", lanes
 /// "auto", 1, 4, 8, 16. Throws UsageError naming the axis, what was found and what is allowed.
 void set_case_value(Case& c, const std::string& axis, const std::string& value);
@@ -74,9 +75,13 @@ std::string to_string(WorkGroup work_group);
 /// "128x128"
 std::string to_string(Size size);
 
+/// Throws UsageError unless spp x path_length, the most segments of one pixel, fits in 32 bits.
+void check_case(const Case& c);
+
 /// Reads a config: JSON text with the same words as the flags; unknown keys are errors with a JSON pointer.
 Config parse_config(std::string_view json_text, const std::string& origin);
-/// `name_or_file`: a file, or the name of a config in `config_folder`. Throws UsageError listing what there is.
+/// `name_or_file`: a file, or the name of a config in `config_folder`. Throws UsageError listing what there
+/// is.
 Config load_config(const std::string& name_or_file, const std::filesystem::path& config_folder);
 /// The config as JSON that `parse_config` reads back to the same value (`--dump-config`).
 std::string dump_config(const Config& config);
@@ -85,7 +90,8 @@ std::string dump_config(const Config& config);
 void override_axis(Config& config, const Axis& axis);
 
 /// The devices that the selectors (`all`, `cpu`, `gpu`, `accelerator`, `0`, `0:1`, a key, `/regex/`) name, in
-/// list order, each once, without excluded ones. Throws UsageError listing the devices when one matches nothing.
+/// list order, each once, without excluded ones. Throws UsageError listing the devices when one matches
+/// nothing.
 std::vector<DeviceInfo> select_devices(const std::vector<std::string>& selectors,
                                        const std::vector<DeviceInfo>& devices);
 

@@ -1,0 +1,118 @@
+#include "bench/plan/config_json.h"
+
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "bench/plan/nearest.h"
+
+namespace ptb {
+namespace {
+
+constexpr int most_repetitions = 1'000'000;
+constexpr double most_seconds = 1e9;
+
+void read_count(const Json& json, const Where& where, int least, int& value) {
+    if (json.is_number()) decode(json, where, value);
+    if (!json.is_number() || value < least || value > most_repetitions)
+        where.refuse(json, fmt::format("an integer from {} to {}", least, most_repetitions));
+}
+
+void read_seconds(const Json& json, const Where& where, bool zero_allowed, double& value) {
+    if (json.is_number()) decode(json, where, value);
+    const bool good =
+        json.is_number() && (value > 0 || (zero_allowed && value == 0)) && value <= most_seconds;
+    if (!good)
+        where.refuse(json,
+                     fmt::format("seconds, {}, at most 1e9", zero_allowed ? "0 or more" : "more than 0"));
+}
+
+void read_timer(const Json& json, const Where& where, std::string& value) {
+    if (json != "auto" && json != "event" && json != "host") where.refuse(json, "auto, event, host");
+    value = json.get<std::string>();
+}
+
+/// "cpu", 0 or a list of those.
+void read_devices(const Json& json, const Where& where, std::vector<std::string>& devices) {
+    devices.clear();
+    const Json list = json.is_array() ? json : Json::array({json});
+    for (const Json& item : list) {
+        const bool good = item.is_number_unsigned() || (item.is_string() && item != "");
+        if (!good) where.refuse(json, "a device selector, or a list of them");
+        devices.push_back(item.is_string() ? item.get<std::string>() : dump_json(item));
+    }
+}
+
+void read_series(const Json& json, const Where& where, std::vector<Series>& series) {
+    if (!json.is_array() || json.empty()) where.refuse(json, "a list of at least one series");
+    for (const Json& item : json) series.push_back(parse_series(item, Where(where, series.size())));
+}
+
+using Reader = std::function<void(const Json&, const Where&, Config&)>;
+
+const std::vector<std::pair<std::string, Reader>>& readers() {
+    using J = const Json&;
+    using W = const Where&;
+    static const std::vector<std::pair<std::string, Reader>> table = {
+        {"$schema", [](J, W, Config&) {}},
+        {"name", [](J j, W w, Config& c) { decode(j, w, c.name); }},
+        {"description", [](J j, W w, Config& c) { decode(j, w, c.description); }},
+        {"device", [](J j, W w, Config& c) { read_devices(j, w, c.devices); }},
+        {"warmup", [](J j, W w, Config& c) { read_count(j, w, 0, c.measure.warmup); }},
+        {"samples", [](J j, W w, Config& c) { read_count(j, w, 1, c.measure.samples); }},
+        {"max_time", [](J j, W w, Config& c) { read_seconds(j, w, false, c.measure.max_time_s); }},
+        {"max_total_time", [](J j, W w, Config& c) { read_seconds(j, w, true, c.max_total_time_s); }},
+        {"timeout", [](J j, W w, Config& c) { read_seconds(j, w, false, c.timeout_s); }},
+        {"seed", [](J j, W w, Config& c) { decode(j, w, c.measure.seed); }},
+        {"timer", [](J j, W w, Config& c) { read_timer(j, w, c.measure.timer); }},
+        {"skip_time", [](J j, W w, Config& c) { decode(j, w, c.measure.skip_time); }},
+        {"kernel_dir", [](J j, W w, Config& c) { decode(j, w, c.measure.kernel_dir); }},
+        {"series", [](J j, W w, Config& c) { read_series(j, w, c.series); }},
+    };
+    return table;
+}
+
+void read_key(const std::string& key, const Json& json, const Where& where, Config& config) {
+    std::vector<std::string> known;
+    for (const auto& [name, read] : readers()) {
+        if (name == key) return read(json, where, config);
+        known.push_back(name);
+    }
+    const auto hint = did_you_mean(key, known);
+    where.fail("unknown key" + (hint.empty() ? fmt::format("; allowed: {}", fmt::join(known, ", ")) : hint));
+}
+
+}  // namespace
+
+Config parse_config(std::string_view json_text, const std::string& origin) {
+    const Json json = parse_json(json_text, origin);
+    const Where root(origin);
+    if (!json.is_object()) root.refuse(json, "an object");
+    Config config;
+    for (const auto& [key, value] : json.items()) read_key(key, value, Where(root, key), config);
+    return config;
+}
+
+std::string dump_config(const Config& config) {
+    Json json = Json::object();
+    json["name"] = config.name;
+    json["description"] = config.description;
+    json["device"] = config.devices;
+    json["warmup"] = config.measure.warmup;
+    json["samples"] = config.measure.samples;
+    json["max_time"] = config.measure.max_time_s;
+    json["max_total_time"] = config.max_total_time_s;
+    json["timeout"] = config.timeout_s;
+    json["seed"] = config.measure.seed;
+    json["timer"] = config.measure.timer;
+    json["skip_time"] = config.measure.skip_time;
+    json["kernel_dir"] = config.measure.kernel_dir;
+    json["series"] = Json::array();
+    for (const Series& series : config.series) json["series"].push_back(series_to_json(series));
+    if (config.series.empty()) json.erase("series");
+    return dump_json(json, 2) + "\n";
+}
+
+}  // namespace ptb

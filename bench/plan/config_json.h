@@ -1,0 +1,13 @@
+#pragma once
+
+#include "bench/plan/config.h"
+#include "bench/record/strict_json.h"
+
+namespace ptb {
+
+/// The axes and the name of one element of a config's "series".
+Series parse_series(const Json& json, const Where& where);
+/// What `parse_series` reads back.
+Json series_to_json(const Series& series);
+
+}  // namespace ptb

@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <cstdint>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "bench/plan/config.h"
+
+namespace ptb {
+namespace {
+
+constexpr std::size_t most_cases = 100'000;
+
+/// Place of an axis in the nesting; linked axes stand where their outermost one does.
+std::size_t depth_of(const Axis& axis) {
+    const auto names = axis_names();
+    std::size_t outermost = names.size();
+    for (const auto& name : axis.names) {
+        const auto found = std::find(names.begin(), names.end(), name);
+        outermost = std::min(outermost, static_cast<std::size_t>(found - names.begin()));
+    }
+    return outermost;
+}
+
+/// Every case of `cases` at every point of the axis, the axis innermost.
+std::vector<Case> cross(const std::vector<Case>& cases, const Axis& axis) {
+    if (cases.size() * axis.points.size() > most_cases)
+        throw UsageError(fmt::format("axis: a series of more than {} cases; sweep fewer values", most_cases));
+    std::vector<Case> crossed;
+    for (const Case& c : cases) {
+        for (const auto& point : axis.points) {
+            Case& next = crossed.emplace_back(c);
+            for (std::size_t i = 0; i < axis.names.size(); ++i)
+                set_case_value(next, axis.names[i], point.at(i));
+        }
+    }
+    return crossed;
+}
+
+std::vector<Case> expand_series(const Series& series) {
+    auto axes = series.axes;
+    std::stable_sort(axes.begin(), axes.end(),
+                     [](const Axis& a, const Axis& b) { return depth_of(a) < depth_of(b); });
+    std::vector<Case> cases = {default_case()};
+    for (const Axis& axis : axes) cases = cross(cases, axis);
+    for (const Case& c : cases) check_case(c);
+    return cases;
+}
+
+/// The plan of any one device: its key is still empty. Equal cases once.
+std::vector<Case> expand_for_any_device(const Config& config) {
+    std::vector<Case> cases;
+    std::set<Case> seen;
+    const auto series = config.series.empty() ? std::vector<Series>(1) : config.series;
+    for (const Series& one : series)
+        for (const Case& c : expand_series(one))
+            if (seen.insert(c).second) cases.push_back(c);
+    return cases;
+}
+
+}  // namespace
+
+void check_case(const Case& c) {
+    const auto segments = static_cast<std::int64_t>(c.spp) * c.path_length;
+    constexpr auto limit = std::int64_t{1} << 32;
+    if (segments >= limit)
+        throw UsageError(
+            fmt::format("spp x path_length: found {} x {} = {}; allowed: less than {}, the most segments "
+                        "that one pixel counts",
+                        c.spp, c.path_length, segments, limit));
+}
+
+std::vector<Case> expand(const Config& config, const std::vector<DeviceInfo>& devices) {
+    const auto plan = expand_for_any_device(config);
+    std::vector<Case> cases;
+    for (const DeviceInfo& device : devices)
+        for (Case c : plan) {
+            c.device = device.key;
+            cases.push_back(c);
+        }
+    return cases;
+}
+
+}  // namespace ptb

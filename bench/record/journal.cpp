@@ -1,0 +1,71 @@
+#include "bench/record/journal.h"
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "bench/record/file.h"
+#include "bench/record/json.h"
+
+namespace ptb {
+namespace {
+
+std::string line_of(const Json& json) {
+    return dump_json(json) + "\n";
+}
+
+std::string journal_text(const ResultFile& result) {
+    ResultFile header = result;
+    header.cases.clear();
+    std::string text = line_of(result_to_json(header));
+    for (const Record& record : result.cases) text += line_of(encode(record));
+    return text;
+}
+
+std::string_view take_line(std::string_view& text) {
+    const auto line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    return line;
+}
+
+Record parse_record(std::string_view line, const std::string& origin) {
+    Record record;
+    decode(parse_json(line, origin), Where(origin), record);
+    return record;
+}
+
+}  // namespace
+
+Journal::Journal(std::filesystem::path file, const ResultFile& so_far) : file_(std::move(file)) {
+    write_file(file_, journal_text(so_far));
+    stream_.reset(std::fopen(file_.c_str(), "ab"));
+    if (!stream_) throw std::runtime_error("cannot write " + file_.string() + ": " + std::strerror(errno));
+}
+
+void Journal::append(const Record& record) {
+    const auto line = line_of(encode(record));
+    const bool written = std::fwrite(line.data(), 1, line.size(), stream_.get()) == line.size();
+    if (!written || std::fflush(stream_.get()) != 0)
+        throw std::runtime_error("cannot write " + file_.string() + ": " + std::strerror(errno));
+}
+
+ResultFile read_journal(const std::filesystem::path& file) {
+    const std::string text = read_text(file);
+    std::string_view rest = text;
+    ResultFile result = result_from_json(parse_json(take_line(rest), file.string()), file.string());
+    for (int number = 2; !rest.empty(); ++number) {
+        const bool cut_short = rest.find('\n') == std::string_view::npos;
+        const auto line = take_line(rest);
+        try {
+            result.cases.push_back(parse_record(line, file.string() + ":" + std::to_string(number)));
+        } catch (const UsageError&) {
+            if (!cut_short) throw;
+        }
+    }
+    return result;
+}
+
+}  // namespace ptb

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "bench/record/record.h"
+
+namespace ptb {
+
+/// The run as it happens, in JSON Lines: the result file without its cases, then one record a line, each
+/// flushed. A process killed at any moment loses at most the record that it was writing.
+class Journal {
+  public:
+    /// Starts the file anew with what `so_far` holds, cases included (those that a resumed run keeps).
+    /// Throws std::runtime_error with the path and the reason.
+    Journal(std::filesystem::path file, const ResultFile& so_far);
+    void append(const Record& record);
+
+  private:
+    struct Close {
+        void operator()(std::FILE* stream) const { std::fclose(stream); }
+    };
+    std::filesystem::path file_;
+    std::unique_ptr<std::FILE, Close> stream_;
+};
+
+/// What a journal holds; a last line that was cut short is left out. Throws UsageError on anything else.
+ResultFile read_journal(const std::filesystem::path& file);
+
+}  // namespace ptb

@@ -1,0 +1,106 @@
+#include "bench/record/json.h"
+
+#include <fmt/format.h>
+
+#include "bench/record/printable.h"
+#include "bench/record/status.h"
+
+namespace ptb {
+namespace {
+
+constexpr const char* schema = "ptbench.v1";
+constexpr const char* integer_axes[] = {"spp", "path_length"};
+
+bool is_integer_axis(const std::string& axis) {
+    for (const char* name : integer_axes)
+        if (axis == name) return true;
+    return false;
+}
+
+const Json& member(const Json& json, const Where& where, const char* key) {
+    const auto found = json.find(key);
+    if (found == json.end()) where.fail(fmt::format("\"{}\" is missing", key));
+    return *found;
+}
+
+/// The text of an axis' value, whatever its type in JSON.
+std::string axis_text(const Json& json, const Where& where, const std::string& axis) {
+    if (!is_integer_axis(axis)) {
+        std::string text;
+        decode(json, where, text);
+        return text;
+    }
+    int number = 0;
+    decode(json, where, number);
+    return std::to_string(number);
+}
+
+/// Refuses files that a newer ptbench wrote, and those that are something else.
+void check_schema(const Json& json, const std::string& origin) {
+    const auto found = json.is_object() ? json.find("schema") : json.end();
+    const bool named = json.is_object() && found != json.end() && found->is_string();
+    const auto name = named ? found->get<std::string>() : std::string();
+    if (name == schema) return;
+    if (name.starts_with("ptbench.v"))
+        throw UsageError(
+            fmt::format("{}: schema {} is not known here; this ptbench reads {}: use the one that wrote it",
+                        origin, shortened(printable(name), 40), schema));
+    throw UsageError(fmt::format("{}: not a result of ptbench: \"schema\" is not \"{}\"", origin, schema));
+}
+
+}  // namespace
+
+Json encode(const Case& c) {
+    Json json = Json::object();
+    json["device"] = c.device;
+    for (const auto& axis : axis_names()) {
+        if (axis == "spp")
+            json[axis] = c.spp;
+        else if (axis == "path_length")
+            json[axis] = c.path_length;
+        else
+            json[axis] = case_value(c, axis);
+    }
+    return json;
+}
+
+void decode(const Json& json, const Where& where, Case& c) {
+    if (!json.is_object()) where.refuse(json, "an object");
+    decode(member(json, where, "device"), Where(where, "device"), c.device);
+    for (const auto& axis : axis_names()) {
+        const Where at(where, axis);
+        const auto text = axis_text(member(json, where, axis.c_str()), at, axis);
+        try {
+            set_case_value(c, axis, text);
+        } catch (const UsageError& error) {
+            at.fail(error.what());
+        }
+    }
+}
+
+Json encode(Status status) {
+    return to_string(status);
+}
+
+void decode(const Json& json, const Where& where, Status& status) {
+    const auto parsed = json.is_string() ? parse_status(json.get_ref<const std::string&>()) : std::nullopt;
+    if (!parsed)
+        where.refuse(json, "ok, invalid, unsupported, skipped, compile, runtime, timeout, crash, unstable");
+    status = *parsed;
+}
+
+Json result_to_json(const ResultFile& result) {
+    Json json = Json::object();
+    json["schema"] = schema;
+    json.update(encode(result));
+    return json;
+}
+
+ResultFile result_from_json(const Json& json, const std::string& origin) {
+    check_schema(json, origin);
+    ResultFile result;
+    decode(json, Where(origin), result);
+    return result;
+}
+
+}  // namespace ptb

@@ -1,0 +1,140 @@
+#pragma once
+
+#include "bench/plan/config.h"
+#include "bench/record/fields.h"
+#include "bench/record/record.h"
+
+namespace ptb {
+
+// The mapping of each struct of record.h: `encode(x)` and `decode(json, where, x)`, and with the names that
+// nlohmann/json looks for, `Json json = x` and `json.get<X>()`. Optional values that are absent are null.
+
+template <>
+inline constexpr auto fields<Work> = std::make_tuple(field("samples", &Work::samples),
+                                                     field("segments", &Work::segments),
+                                                     field("full_length_paths", &Work::full_length_paths),
+                                                     field("lanes", &Work::lanes),
+                                                     field("passes", &Work::passes),
+                                                     field("longest_launch_ns", &Work::longest_launch_ns),
+                                                     field("device_bytes", &Work::device_bytes));
+
+template <>
+inline constexpr auto fields<Build> = std::make_tuple(
+    field("options", &Build::options), field("kernel_hash", &Build::kernel_hash),
+    field("overridden", &Build::overridden), field("build_ms", &Build::build_ms),
+    field("upload_ms", &Build::upload_ms), field("readback_ms", &Build::readback_ms),
+    field("first_launch_ns", &Build::first_launch_ns), field("max_work_group", &Build::max_work_group),
+    field("preferred_multiple", &Build::preferred_multiple), field("local_bytes", &Build::local_bytes),
+    field("private_bytes", &Build::private_bytes), field("log", &Build::log));
+
+template <>
+inline constexpr auto fields<TimeSample> = std::make_tuple(required("kernel_ns", &TimeSample::kernel_ns),
+                                                           field("sum_ns", &TimeSample::sum_ns),
+                                                           required("host_ns", &TimeSample::host_ns),
+                                                           field("queued_ns", &TimeSample::queued_ns),
+                                                           field("submit_ns", &TimeSample::submit_ns),
+                                                           field("cause", &TimeSample::cause));
+
+template <>
+inline constexpr auto fields<Statistics> = std::make_tuple(
+    field("timer", &Statistics::timer), field("timer_reason", &Statistics::timer_reason),
+    required("n", &Statistics::n), required("median_ns", &Statistics::median_ns),
+    field("mad_ns", &Statistics::mad_ns), field("mean_ns", &Statistics::mean_ns),
+    field("min_ns", &Statistics::min_ns), field("max_ns", &Statistics::max_ns),
+    field("q1_ns", &Statistics::q1_ns), field("q3_ns", &Statistics::q3_ns),
+    field("ci_low_ns", &Statistics::ci_low_ns), field("ci_high_ns", &Statistics::ci_high_ns),
+    field("stop_reason", &Statistics::stop_reason), field("msamples_per_s", &Statistics::msamples_per_s),
+    field("msegments_per_s", &Statistics::msegments_per_s));
+
+template <>
+inline constexpr auto fields<Validation> = std::make_tuple(
+    required("valid", &Validation::valid), field("against", &Validation::against),
+    field("reason", &Validation::reason), field("samples", &Validation::samples),
+    field("max_abs_z", &Validation::max_abs_z), field("z_limit", &Validation::z_limit),
+    field("mean_z", &Validation::mean_z), field("segments_per_sample", &Validation::segments_per_sample),
+    field("reference_segments_per_sample", &Validation::reference_segments_per_sample),
+    field("checks", &Validation::checks));
+
+template <>
+inline constexpr auto fields<Record> =
+    std::make_tuple(required("params", &Record::params), required("status", &Record::status),
+                    field("reason", &Record::reason), field("work", &Record::work),
+                    field("build", &Record::build), field("samples", &Record::samples),
+                    field("statistics", &Record::statistics), field("validation", &Record::validation));
+
+template <>
+inline constexpr auto fields<DeviceInfo> = std::make_tuple(
+    required("key", &DeviceInfo::key), field("platform_index", &DeviceInfo::platform_index),
+    field("device_index", &DeviceInfo::device_index), field("icd", &DeviceInfo::icd),
+    field("platform", &DeviceInfo::platform), field("platform_version", &DeviceInfo::platform_version),
+    required("name", &DeviceInfo::name), required("vendor", &DeviceInfo::vendor),
+    required("type", &DeviceInfo::type), field("version", &DeviceInfo::version),
+    field("driver_version", &DeviceInfo::driver_version), field("c_version", &DeviceInfo::c_version),
+    field("uuid", &DeviceInfo::uuid), field("compute_units", &DeviceInfo::compute_units),
+    field("clock_mhz", &DeviceInfo::clock_mhz), field("native_float_width", &DeviceInfo::native_float_width),
+    field("default_lanes", &DeviceInfo::default_lanes), field("global_bytes", &DeviceInfo::global_bytes),
+    field("max_alloc_bytes", &DeviceInfo::max_alloc_bytes),
+    field("constant_bytes", &DeviceInfo::constant_bytes), field("local_bytes", &DeviceInfo::local_bytes),
+    field("max_work_group", &DeviceInfo::max_work_group),
+    field("max_work_item_sizes", &DeviceInfo::max_work_item_sizes),
+    field("timer_resolution_ns", &DeviceInfo::timer_resolution_ns), field("images", &DeviceInfo::images),
+    field("profiling", &DeviceInfo::profiling), field("excluded", &DeviceInfo::excluded));
+
+template <>
+inline constexpr auto fields<BrokenIcd> = std::make_tuple(required("icd", &BrokenIcd::icd),
+                                                          required("reason", &BrokenIcd::reason));
+
+template <>
+inline constexpr auto fields<HostInfo> = std::make_tuple(
+    field("hostname", &HostInfo::hostname), field("os", &HostInfo::os), field("kernel", &HostInfo::kernel),
+    field("cpu", &HostInfo::cpu), field("cores", &HostInfo::cores),
+    field("memory_bytes", &HostInfo::memory_bytes), field("load_1min", &HostInfo::load_1min));
+
+template <>
+inline constexpr auto fields<RunInfo> =
+    std::make_tuple(field("argv", &RunInfo::argv), field("config", &RunInfo::config),
+                    field("tool_version", &RunInfo::tool_version), field("git_sha", &RunInfo::git_sha),
+                    field("git_dirty", &RunInfo::git_dirty), field("compiler", &RunInfo::compiler),
+                    field("started_at", &RunInfo::started_at), field("seed", &RunInfo::seed),
+                    field("interrupted", &RunInfo::interrupted), field("wall_s", &RunInfo::wall_s));
+
+template <>
+inline constexpr auto fields<ResultFile> = std::make_tuple(required("run", &ResultFile::run),
+                                                           required("host", &ResultFile::host),
+                                                           required("devices", &ResultFile::devices),
+                                                           field("broken_icds", &ResultFile::broken_icds),
+                                                           field("warnings", &ResultFile::warnings),
+                                                           required("cases", &ResultFile::cases));
+
+template <>
+inline constexpr auto fields<MeasureOptions> = std::make_tuple(
+    field("seed", &MeasureOptions::seed), field("warmup", &MeasureOptions::warmup),
+    field("samples", &MeasureOptions::samples), field("max_time", &MeasureOptions::max_time_s),
+    field("timer", &MeasureOptions::timer), field("skip_time", &MeasureOptions::skip_time),
+    field("kernel_dir", &MeasureOptions::kernel_dir));
+
+/// A case is written in the words of the axes: "size": "128x128", "work_group": "implicit", "lanes": "auto".
+Json encode(const Case& c);
+void decode(const Json& json, const Where& where, Case& c);
+Json encode(Status status);
+void decode(const Json& json, const Where& where, Status& status);
+
+/// The result file's sections behind its "schema".
+Json result_to_json(const ResultFile& result);
+/// Throws UsageError on anything but a result file of a version that is known.
+ResultFile result_from_json(const Json& json, const std::string& origin);
+
+template <class Struct>
+concept Mapped = HasFields<Struct> || std::same_as<Struct, Case>;
+
+template <Mapped Struct>
+void to_json(Json& json, const Struct& value) {
+    json = encode(value);
+}
+template <Mapped Struct>
+void from_json(const Json& json, Struct& value) {
+    const std::string origin = "JSON";
+    decode(json, Where(origin), value);
+}
+
+}  // namespace ptb

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ptb {
+
+/// `text` made safe for a terminal and for one line: control characters, escape codes, characters that turn
+/// the direction of writing and bytes that are not UTF-8 become '?'; line breaks and tabs become spaces.
+std::string printable(std::string_view text);
+
+/// Characters (code points) in UTF-8 text: its width in a terminal, near enough.
+std::size_t width(std::string_view utf8);
+
+/// `text` shortened to `most` characters, ending in "..." when it was longer.
+std::string shortened(std::string_view utf8, std::size_t most);
+
+}  // namespace ptb

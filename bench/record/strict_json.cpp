@@ -1,0 +1,155 @@
+#include "bench/record/strict_json.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "bench/plan/usage_error.h"
+#include "bench/record/printable.h"
+
+namespace ptb {
+namespace {
+
+constexpr int deepest = 64;
+constexpr std::size_t most_keys = 1024;  ///< per object: looking one up is linear
+
+/// Refuses, while parsing, what is well-formed but hostile or ambiguous.
+class Guard {
+  public:
+    explicit Guard(const std::string& origin) : origin_(origin) {}
+
+    bool operator()(int depth, Json::parse_event_t event, const Json& json) {
+        if (depth > deepest) fail(fmt::format("nested deeper than {} levels", deepest));
+        if (event == Json::parse_event_t::object_start) keys_.emplace_back();
+        if (event == Json::parse_event_t::object_end) keys_.pop_back();
+        if (event == Json::parse_event_t::key) add_key(json.get_ref<const std::string&>());
+        return true;
+    }
+
+  private:
+    void add_key(const std::string& key) {
+        if (!keys_.back().insert(key).second)
+            fail(fmt::format("key \"{}\" comes twice in an object", shortened(printable(key), 40)));
+        if (keys_.back().size() > most_keys) fail(fmt::format("more than {} keys in an object", most_keys));
+    }
+    [[noreturn]] void fail(const std::string& message) const { throw UsageError(origin_ + ": " + message); }
+
+    const std::string& origin_;
+    std::vector<std::set<std::string>> keys_;
+};
+
+/// nlohmann's message without its "[json.exception...] ".
+std::string plain_message(const std::exception& error) {
+    const std::string message = error.what();
+    const auto end = message.find("] ");
+    return shortened(printable(end == std::string::npos ? message : message.substr(end + 2)), 200);
+}
+
+template <class Int>
+void decode_integer(const Json& json, const Where& where, Int& value) {
+    constexpr auto least = std::numeric_limits<Int>::min();
+    constexpr auto most = std::numeric_limits<Int>::max();
+    const bool fits = json.is_number_unsigned()  ? std::in_range<Int>(json.get<std::uint64_t>())
+                      : json.is_number_integer() ? std::in_range<Int>(json.get<std::int64_t>())
+                                                 : false;
+    if (!fits) where.refuse(json, fmt::format("an integer from {} to {}", least, most));
+    value = json.is_number_unsigned() ? static_cast<Int>(json.get<std::uint64_t>())
+                                      : static_cast<Int>(json.get<std::int64_t>());
+}
+
+}  // namespace
+
+std::string Where::pointer() const {
+    if (parent_ == nullptr) return {};
+    if (key_.data() == nullptr) return parent_->pointer() + "/" + std::to_string(index_);
+    std::string escaped;
+    for (const char c : shortened(printable(key_), 40)) {
+        if (c == '~')
+            escaped += "~0";
+        else if (c == '/')
+            escaped += "~1";
+        else
+            escaped += c;
+    }
+    return parent_->pointer() + "/" + escaped;
+}
+
+std::string Where::text() const {
+    const Where* root = this;
+    while (root->parent_ != nullptr) root = root->parent_;
+    const auto path = pointer();
+    return path.empty() ? *root->origin_ : *root->origin_ + ": " + path;
+}
+
+void Where::fail(const std::string& message) const {
+    throw UsageError(text() + ": " + message);
+}
+
+void Where::refuse(const Json& found, const std::string& allowed) const {
+    const bool container = found.is_structured() && !found.empty();
+    const auto shown = container ? std::string("an ") + found.type_name() : dump_json(found);
+    fail(fmt::format("found {}; allowed: {}", shortened(printable(shown), 60), allowed));
+}
+
+Json parse_json(std::string_view text, const std::string& origin) {
+    Guard guard(origin);
+    try {
+        return Json::parse(text, std::ref(guard));
+    } catch (const Json::exception& error) {
+        throw UsageError(origin + ": not JSON: " + plain_message(error));
+    }
+}
+
+std::string read_text(const std::filesystem::path& file) {
+    const auto fail = [&](const std::string& why) {
+        throw UsageError("cannot read " + file.string() + ": " + why);
+    };
+    std::error_code error;
+    if (std::filesystem::is_directory(file, error)) fail("it is a folder");
+    errno = 0;
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) fail(std::strerror(errno));
+    std::ostringstream text;
+    text << stream.rdbuf();
+    if (stream.bad()) fail(std::strerror(errno));
+    return std::move(text).str();
+}
+
+std::string dump_json(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+void decode(const Json& json, const Where& where, bool& value) {
+    if (!json.is_boolean()) where.refuse(json, "true or false");
+    value = json.get<bool>();
+}
+
+void decode(const Json& json, const Where& where, int& value) {
+    decode_integer(json, where, value);
+}
+void decode(const Json& json, const Where& where, std::int64_t& value) {
+    decode_integer(json, where, value);
+}
+void decode(const Json& json, const Where& where, std::uint64_t& value) {
+    decode_integer(json, where, value);
+}
+
+void decode(const Json& json, const Where& where, double& value) {
+    if (!json.is_number() && !json.is_null()) where.refuse(json, "a number");
+    value = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+void decode(const Json& json, const Where& where, std::string& value) {
+    if (!json.is_string()) where.refuse(json, "a string");
+    value = json.get<std::string>();
+}
+
+}  // namespace ptb

@@ -1,0 +1,79 @@
+#include "bench/worker/protocol.h"
+
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+
+namespace ptb {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+
+Request run_request() {
+    Request request;
+    request.kind = Request::Kind::run;
+    request.params = {"pocl:0", "pt", "thesis", {64, 32}, 4, 5, {16, 16}, 8};
+    request.time_left_s = 1.5;
+    request.image_file = "a \"b\"\n.png";
+    return request;
+}
+
+TEST(Protocol, requests_survive_the_line) {
+    Request open;
+    open.measure = {7, 0, 3, 2.5, "host", true, "kernels"};
+    Request estimate = run_request();
+    estimate.kind = Request::Kind::estimate;
+    estimate.time_left_s.reset();
+    for (const Request& request : {open, run_request(), estimate}) {
+        const auto line = to_line(request);
+        EXPECT_THAT(line, EndsWith("}\n"));
+        EXPECT_EQ(line.find('\n'), line.size() - 1) << "a message is one line";
+        EXPECT_EQ(parse_request(line), request);
+        EXPECT_EQ(parse_request(line.substr(0, line.size() - 1)), request);
+    }
+}
+
+TEST(Protocol, responses_survive_the_line) {
+    Response ready, progress, failed, done;
+    ready.tool_version = "0.1.0";
+    progress.kind = Response::Kind::progress;
+    progress.stage = "sample";
+    progress.done = 0.25;
+    failed.kind = Response::Kind::failed;
+    failed.reason = "no such device";
+    done.kind = Response::Kind::record;
+    done.record = Record{run_request().params, Status::crash, "SIGSEGV (11)", {}, {}, {}, {}, {}};
+    Response estimate;
+    estimate.kind = Response::Kind::estimate;
+    estimate.ns_per_sample = 12.75;
+    for (const Response& response : {ready, progress, failed, done, estimate})
+        EXPECT_EQ(parse_response(to_line(response)), response);
+}
+
+TEST(Protocol, what_is_no_message_is_refused) {
+    for (const char* line :
+         {"", "\n", "{}", "[]", "null", "hello", "{\"kind\":\"open\"}", "{\"kind\":\"sing\",\"protocol\":1}",
+          "{\"kind\":1,\"protocol\":1}", "{\"kind\":\"run\",\"protocol\":1}",
+          "{\"kind\":\"record\",\"protocol\":1}", "{\"kind\":\"record\",\"protocol\":1,\"record\":null}",
+          "{\"kind\":\"open\",\"protocol\":\"1\"}", "\xff\xfe"}) {
+        EXPECT_THROW(parse_request(line), std::runtime_error) << line;
+        EXPECT_THROW(parse_response(line), std::runtime_error) << line;
+    }
+}
+
+TEST(Protocol, another_version_can_be_told) {
+    Response ready;
+    ready.protocol = 99;
+    EXPECT_EQ(parse_response(to_line(ready)).protocol, 99);
+}
+
+TEST(Protocol, bytes_that_are_not_utf8_are_replaced) {
+    Response failed;
+    failed.kind = Response::Kind::failed;
+    failed.reason = "bad \xff byte";
+    EXPECT_EQ(parse_response(to_line(failed)).reason, "bad \xEF\xBF\xBD byte");
+}
+
+}  // namespace
+}  // namespace ptb
