@@ -44,7 +44,7 @@ std::string devices_text(const std::vector<DeviceInfo>& devices) {
     for (const DeviceInfo& d : devices) {
         if (d.platform_index != platform) {
             text += fmt::format("platform {}: {}, {} ({})\n", d.platform_index, printable(d.platform),
-                                printable(d.platform_version), d.icd);
+                                printable(d.platform_version), d.icd.empty() ? "any driver" : d.icd);
         }
         platform = d.platform_index;
         text += device_text(d);
