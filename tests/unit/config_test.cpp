@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace ptb {
@@ -123,15 +124,15 @@ TEST(Config, wrong_types_and_values_are_refused) {
                                R"j("series": [{"spp": null}])j",
                                R"j("series": [{"spp": true}])j",
                                R"j("series": [{"device": 0}])j"})
-        EXPECT_THAT(complaint("{" + std::string(member) + "}"), StartsWith("c.json: /")) << member;
+        EXPECT_THAT(complaint(fmt::format("{{{}}}", member)), StartsWith("c.json: /")) << member;
 }
 
 TEST(Config, hostile_text_is_refused_in_one_line) {
-    const std::string deep_lists = R"j({"series":)j" + std::string(100'000, '[');
+    const auto deep_lists = fmt::format("{{\"series\":{:[<100000}", "");
     std::string deep_objects;
     for (int i = 0; i < 100'000; ++i) deep_objects += R"j({"a":)j";
     std::string many_keys = "{";
-    for (int i = 0; i < 100'000; ++i) many_keys += "\"" + std::to_string(i) + "\":0,";
+    for (int i = 0; i < 100'000; ++i) many_keys += fmt::format("\"{}\":0,", i);
     const std::string texts[] = {"",
                                  "{",
                                  "[]",

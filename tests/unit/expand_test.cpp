@@ -1,5 +1,6 @@
 #include <filesystem>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "bench/plan/config.h"
@@ -17,15 +18,15 @@ std::vector<DeviceInfo> devices(const std::vector<std::string>& keys) {
 }
 
 Config config(const std::string& series) {
-    return parse_config(R"j({"series": )j" + series + "}", "test");
+    return parse_config(fmt::format("{{\"series\": {}}}", series), "test");
 }
 
 std::vector<std::string> texts(const std::vector<Case>& cases, const std::vector<std::string>& axes) {
     std::vector<std::string> result;
     for (const Case& c : cases) {
-        std::string text;
-        for (const auto& axis : axes) text += (text.empty() ? "" : " ") + case_value(c, axis);
-        result.push_back(text);
+        std::vector<std::string> values;
+        for (const auto& axis : axes) values.push_back(case_value(c, axis));
+        result.push_back(fmt::format("{}", fmt::join(values, " ")));
     }
     return result;
 }

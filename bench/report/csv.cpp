@@ -1,0 +1,200 @@
+#include "bench/report/csv.h"
+
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "bench/plan/config.h"
+#include "bench/record/printable.h"
+#include "bench/record/status.h"
+#include "bench/report/words.h"
+
+namespace ptb {
+namespace {
+
+/// Text from drivers and files, on one line and never a formula.
+std::string text(const std::string& untrusted) {
+    std::string cell = printable(untrusted);
+    if (!cell.empty() && std::string("=+-@").find(cell[0]) != std::string::npos)
+        cell.insert(cell.begin(), '\'');
+    return cell;
+}
+
+std::string real(double value, int decimals) {
+    return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "";
+}
+
+std::string ms_text(double ns) {
+    return real(ms(ns), 6);
+}
+
+std::string quoted(const std::string& cell) {
+    if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
+    std::string doubled;
+    for (const char c : cell) doubled.append(c == '"' ? 2 : 1, c);
+    return fmt::format("\"{}\"", doubled);
+}
+
+std::string line(const std::vector<std::string>& cells) {
+    std::vector<std::string> quoted_cells;
+    for (const auto& cell : cells) quoted_cells.push_back(quoted(cell));
+    return fmt::format("{}\n", fmt::join(quoted_cells, ","));
+}
+
+/// What a column is made from.
+struct Row {
+    const Record& record;
+    DeviceInfo device;
+};
+using Cell = std::function<std::string(const Row&)>;
+using Columns = std::vector<std::pair<std::string, Cell>>;
+
+Cell axis(const std::string& name) {
+    return [name](const Row& r) { return text(case_value(r.record.params, name)); };
+}
+/// Cells that are empty when the record lacks the part they show.
+Cell of_statistics(std::function<std::string(const Statistics&)> show) {
+    return [show](const Row& r) { return r.record.statistics ? show(*r.record.statistics) : ""; };
+}
+Cell of_work(std::function<std::string(const Work&)> show) {
+    return [show](const Row& r) { return r.record.work ? show(*r.record.work) : ""; };
+}
+Cell of_build(std::function<std::string(const Build&)> show) {
+    return [show](const Row& r) { return r.record.build ? show(*r.record.build) : ""; };
+}
+Cell statistic_ms(double Statistics::*member) {
+    return of_statistics([member](const Statistics& s) { return ms_text(s.*member); });
+}
+Cell statistic_ms(std::optional<double> Statistics::*member) {
+    return of_statistics([member](const Statistics& s) { return s.*member ? ms_text(*(s.*member)) : ""; });
+}
+
+std::string time_ms(const Row& r) {
+    const bool ok = r.record.status == Status::ok && r.record.statistics;
+    return ok ? ms_text(r.record.statistics->median_ns) : "";
+}
+
+const Columns& case_columns() {
+    static const Columns columns = {
+        {"kernel", axis("kernel")},
+        {"scene", axis("scene")},
+        {"width", [](const Row& r) { return std::to_string(r.record.params.size.width); }},
+        {"height", [](const Row& r) { return std::to_string(r.record.params.size.height); }},
+        {"path_length", axis("path_length")},
+        {"work_group", axis("work_group")},
+        {"lanes", axis("lanes")},
+        {"status", [](const Row& r) { return to_string(r.record.status); }},
+        {"reason", [](const Row& r) { return text(r.record.reason); }},
+    };
+    return columns;
+}
+
+const Columns& device_columns() {
+    static const Columns columns = {
+        {"vendor", [](const Row& r) { return text(r.device.vendor); }},
+        {"type", [](const Row& r) { return text(r.device.type); }},
+        {"device", [](const Row& r) { return text(r.device.name); }},
+    };
+    return columns;
+}
+
+const Columns& statistics_columns() {
+    using S = const Statistics&;
+    static const Columns columns = {
+        {"n", of_statistics([](S s) { return std::to_string(s.n); })},
+        {"median_ms", statistic_ms(&Statistics::median_ns)},
+        {"mad_ms", statistic_ms(&Statistics::mad_ns)},
+        {"mean_ms", statistic_ms(&Statistics::mean_ns)},
+        {"min_ms", statistic_ms(&Statistics::min_ns)},
+        {"max_ms", statistic_ms(&Statistics::max_ns)},
+        {"q1_ms", statistic_ms(&Statistics::q1_ns)},
+        {"q3_ms", statistic_ms(&Statistics::q3_ns)},
+        {"ci_low_ms", statistic_ms(&Statistics::ci_low_ns)},
+        {"ci_high_ms", statistic_ms(&Statistics::ci_high_ns)},
+        {"timer", of_statistics([](S s) { return text(s.timer); })},
+        {"stop_reason", of_statistics([](S s) { return text(s.stop_reason); })},
+        {"msamples_per_s", of_statistics([](S s) { return real(s.msamples_per_s, 6); })},
+        {"msegments_per_s", of_statistics([](S s) { return real(s.msegments_per_s, 6); })},
+    };
+    return columns;
+}
+
+const Columns& other_columns() {
+    static const Columns columns = {
+        {"samples", of_work([](const Work& w) { return std::to_string(w.samples); })},
+        {"segments", of_work([](const Work& w) { return std::to_string(w.segments); })},
+        {"lanes_run", of_work([](const Work& w) { return std::to_string(w.lanes); })},
+        {"passes", of_work([](const Work& w) { return std::to_string(w.passes); })},
+        {"build_ms", of_build([](const Build& b) { return real(b.build_ms, 6); })},
+        {"first_launch_ms",
+         of_build([](const Build& b) { return ms_text(static_cast<double>(b.first_launch_ns)); })},
+        {"kernel_hash", of_build([](const Build& b) { return text(b.kernel_hash); })},
+        {"device_key", [](const Row& r) { return text(r.record.params.device); }},
+        {"platform", [](const Row& r) { return text(r.device.platform); }},
+        {"driver_version", [](const Row& r) { return text(r.device.driver_version); }},
+    };
+    return columns;
+}
+
+Columns joined(const std::vector<Columns>& groups) {
+    Columns all;
+    for (const Columns& group : groups) all.insert(all.end(), group.begin(), group.end());
+    return all;
+}
+
+std::vector<std::string> header(const Columns& columns) {
+    std::vector<std::string> names;
+    for (const auto& [name, cell] : columns) names.push_back(name);
+    return names;
+}
+
+std::vector<std::string> cells(const Columns& columns, const Row& row) {
+    std::vector<std::string> result;
+    for (const auto& [name, cell] : columns) result.push_back(cell(row));
+    return result;
+}
+
+std::vector<std::string> sample_cells(std::size_t index, const TimeSample& s) {
+    return {std::to_string(index),
+            std::to_string(s.kernel_ns),
+            std::to_string(s.sum_ns),
+            std::to_string(s.host_ns),
+            std::to_string(s.queued_ns),
+            std::to_string(s.submit_ns),
+            text(s.cause)};
+}
+
+}  // namespace
+
+std::string csv(const ResultFile& result) {
+    static const Columns work = {{"spp", axis("spp")}, {"time_ms", time_ms}};
+    const auto columns =
+        joined({device_columns(), work, case_columns(), statistics_columns(), other_columns()});
+    std::string output = line(header(columns));
+    for (const Record& record : result.cases)
+        output += line(cells(columns, {record, device_of(result, record.params.device)}));
+    return output;
+}
+
+std::string csv_samples(const ResultFile& result) {
+    static const Columns spp = {{"spp", axis("spp")}};
+    const auto columns = joined({device_columns(), spp, case_columns()});
+    auto names = header(columns);
+    for (const char* name : {"sample", "kernel_ns", "sum_ns", "host_ns", "queued_ns", "submit_ns", "cause"})
+        names.emplace_back(name);
+    std::string output = line(names);
+    for (const Record& record : result.cases) {
+        for (std::size_t i = 0; i < record.samples.size(); ++i) {
+            auto row = cells(columns, {record, device_of(result, record.params.device)});
+            for (auto& cell : sample_cells(i, record.samples[i])) row.push_back(std::move(cell));
+            output += line(row);
+        }
+    }
+    return output;
+}
+
+}  // namespace ptb

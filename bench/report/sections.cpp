@@ -1,0 +1,39 @@
+#include "bench/report/sections.h"
+
+#include <fmt/format.h>
+
+#include "bench/report/markdown.h"
+#include "bench/report/table.h"
+
+namespace ptb {
+
+std::vector<Section> report_sections(const ResultFile& result, const PublishedTable& published) {
+    std::vector<Section> sections;
+    for (Section& section : std::vector<Section>{
+             times_section(result), problems_section(result), devices_section(result),
+             kernels_section(result), published_section(result, published), remarks_section(result)})
+        if (!section.grid.rows.empty() || (section.grid.columns.empty() && !section.notes.empty()))
+            sections.push_back(std::move(section));
+    return sections;
+}
+
+namespace {
+
+template <class Render>
+std::string joined(const std::vector<Section>& sections, Render render) {
+    std::vector<std::string> texts;
+    for (const Section& section : sections) texts.push_back(render(section));
+    return fmt::format("{}", fmt::join(texts, "\n"));
+}
+
+}  // namespace
+
+std::string table(const ResultFile& result, const PublishedTable& published) {
+    return joined(report_sections(result, published), to_text);
+}
+
+std::string markdown(const ResultFile& result, const PublishedTable& published) {
+    return joined(report_sections(result, published), to_markdown);
+}
+
+}  // namespace ptb

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "bench/record/record.h"
+#include "bench/report/grid.h"
+#include "bench/report/published.h"
+
+namespace ptb {
+
+/// Every time, in the order of the thesis' columns.
+Section times_section(const ResultFile& result);
+/// Cases without a time, those of one status and reason together.
+Section problems_section(const ResultFile& result);
+/// The same work on every device, and how many times faster than on the slowest. Empty for a single device.
+Section devices_section(const ResultFile& result);
+/// `pt` against `thesis` on each device.
+Section kernels_section(const ResultFile& result);
+/// What the reader should know of the run: interruption, warnings, ICDs and devices that were not used.
+Section remarks_section(const ResultFile& result);
+
+/// All of a report, empty sections left out.
+std::vector<Section> report_sections(const ResultFile& result, const PublishedTable& published);
+
+}  // namespace ptb

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "bench/plan/config.h"
+#include "bench/record/status.h"
+#include "bench/report/sections.h"
+#include "bench/report/words.h"
+
+namespace ptb {
+namespace {
+
+std::vector<Record> shown_records(const ResultFile& result) {
+    std::vector<Record> records;
+    for (const Record& record : result.cases)
+        if (record.status == Status::ok || timed(record)) records.push_back(record);
+    return records;
+}
+
+/// What is unusual about a row: "timer: host", "unstable: ...", "low n".
+std::string note(const Record& record) {
+    std::vector<std::string> parts;
+    if (record.status != Status::ok) parts.push_back(to_string(record.status) + ": " + record.reason);
+    if (!record.statistics) parts.push_back("validated only");
+    if (record.statistics && record.statistics->timer == "host") parts.push_back("timer: host");
+    if (record.statistics && record.statistics->stop_reason == "low_n") parts.push_back("low n");
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+bool any_note(const std::vector<Record>& records) {
+    for (const Record& record : records)
+        if (!note(record).empty()) return true;
+    return false;
+}
+
+std::vector<std::string> cells(const ResultFile& result, const Record& record) {
+    const DeviceInfo device = device_of(result, record.params.device);
+    const auto& s = record.statistics;
+    return {vendor_name(device),
+            device.type,
+            device_label(result, device.key),
+            std::to_string(record.params.spp),
+            s ? number_text(ms(s->median_ns)) : "-",
+            record.params.kernel,
+            to_string(record.params.size),
+            to_string(record.params.work_group),
+            record.work ? std::to_string(record.work->lanes) : case_value(record.params, "lanes"),
+            s ? spread_text(*s) : "-",
+            s ? number_text(s->msamples_per_s) : "-",
+            s ? number_text(s->msegments_per_s) : "-"};
+}
+
+/// The axes that have no column of their own because they are the same everywhere.
+std::string constants(const std::vector<Record>& records, const std::vector<std::string>& shown) {
+    std::string text;
+    for (const auto& [axis, words] : {std::pair("scene", "scene"), std::pair("path_length", "path length")}) {
+        const bool column = std::find(shown.begin(), shown.end(), axis) != shown.end();
+        if (!column) text += fmt::format(", {} {}", words, case_value(records.front().params, axis));
+    }
+    return text;
+}
+
+}  // namespace
+
+Section times_section(const ResultFile& result) {
+    const auto records = shown_records(result);
+    if (records.empty()) return {};
+    const auto axes = varying(records, {"scene", "path_length"});
+    const bool notes = any_note(records);
+    Section section;
+    section.title = "times" + constants(records, axes);
+    section.grid.columns = {{"vendor", false, 16},
+                            {"type"},
+                            {"device", false, 36},
+                            {"SPP", true},
+                            {"time ms", true},
+                            {"kernel"},
+                            {"size"},
+                            {"work-group"},
+                            {"lanes", true},
+                            {"+- %", true},
+                            {"Msamples/s", true},
+                            {"Msegments/s", true}};
+    for (const auto& axis : axes) section.grid.columns.push_back({axis, axis == "path_length"});
+    if (notes) section.grid.columns.push_back({"note"});
+    for (const Record& record : records) {
+        auto& row = section.grid.rows.emplace_back(cells(result, record));
+        for (const auto& axis : axes) row.push_back(case_value(record.params, axis));
+        if (notes) row.push_back(note(record));
+    }
+    section.notes = {
+        "time: median; +-: half its 95 % interval, or ~ the median absolute deviation of few samples"};
+    return section;
+}
+
+}  // namespace ptb

@@ -1,0 +1,77 @@
+#include "bench/report/words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "bench/plan/config.h"
+
+namespace ptb {
+
+std::string number_text(double value) {
+    const double size = std::abs(value);
+    if (!std::isfinite(value)) return "-";
+    if (size >= 1000 || value == 0) return fmt::format("{:.0f}", value);
+    if (size >= 100) return fmt::format("{:.1f}", value);
+    if (size >= 10) return fmt::format("{:.2f}", value);
+    if (size >= 0.01) return fmt::format("{:.3f}", value);
+    return fmt::format("{:.2g}", value);
+}
+
+double ms(double ns) {
+    return ns / 1e6;
+}
+
+std::string spread_text(const Statistics& s) {
+    const auto percent = [&](double ns) { return fmt::format("{:.1f}", 100 * ns / s.median_ns); };
+    if (!std::isfinite(s.median_ns) || s.median_ns <= 0) return "-";
+    if (s.ci_low_ns && s.ci_high_ns) return percent((*s.ci_high_ns - *s.ci_low_ns) / 2);
+    return s.n >= 3 && std::isfinite(s.mad_ns) ? fmt::format("~{}", percent(s.mad_ns)) : "-";
+}
+
+DeviceInfo device_of(const ResultFile& result, const std::string& key) {
+    for (const DeviceInfo& device : result.devices)
+        if (device.key == key) return device;
+    DeviceInfo unknown;
+    unknown.key = unknown.name = key;
+    return unknown;
+}
+
+std::string vendor_name(const DeviceInfo& device) {
+    const std::pair<const char*, const char*> names[] = {{"NVIDIA", "NVIDIA"},
+                                                         {"Advanced Micro Devices", "AMD"},
+                                                         {"AuthenticAMD", "AMD"},
+                                                         {"GenuineIntel", "Intel"},
+                                                         {"Intel", "Intel"}};
+    for (const auto& [part, name] : names)
+        if (device.vendor.find(part) != std::string::npos) return name;
+    return device.vendor;
+}
+
+std::string device_label(const ResultFile& result, const std::string& key) {
+    const DeviceInfo device = device_of(result, key);
+    const auto same = std::count_if(
+        result.devices.begin(), result.devices.end(),
+        [&](const DeviceInfo& other) { return other.name == device.name && other.excluded.empty(); });
+    return same > 1 ? fmt::format("[{}] {}", key, device.name) : device.name;
+}
+
+bool timed(const Record& record) {
+    const bool measured = record.status == Status::ok || record.status == Status::unstable;
+    return measured && record.statistics && std::isfinite(record.statistics->median_ns);
+}
+
+std::vector<std::string> varying(const std::vector<Record>& records, const std::vector<std::string>& axes) {
+    std::vector<std::string> result;
+    for (const auto& axis : axes) {
+        std::set<std::string> values;
+        for (const Record& record : records) values.insert(case_value(record.params, axis));
+        if (values.size() > 1) result.push_back(axis);
+    }
+    return result;
+}
+
+}  // namespace ptb

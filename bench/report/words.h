@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/record/record.h"
+
+namespace ptb {
+
+/// Four significant digits or all before the point: "0.123", "12.34", "269815"; "-" when it is not finite.
+std::string number_text(double value);
+
+/// Milliseconds from nanoseconds.
+double ms(double ns);
+
+/// Half of the median's 95 % interval in percent, or "~" and the median absolute deviation when there is
+/// none, or "-" with fewer than three samples.
+std::string spread_text(const Statistics& statistics);
+
+/// The device of a record, or an empty one when the file does not describe it.
+DeviceInfo device_of(const ResultFile& result, const std::string& key);
+
+/// What the thesis' table would call it: "NVIDIA", "AMD", "Intel", else as the driver says.
+std::string vendor_name(const DeviceInfo& device);
+
+/// The device's name, with its key in front when another device has the same name.
+std::string device_label(const ResultFile& result, const std::string& key);
+
+/// True when the record has a time that may be published.
+bool timed(const Record& record);
+
+/// Those of `axes` in which the records differ.
+std::vector<std::string> varying(const std::vector<Record>& records, const std::vector<std::string>& axes);
+
+}  // namespace ptb

@@ -1,0 +1,107 @@
+#include "bench/report/csv.h"
+
+#include <algorithm>
+#include <limits>
+#include <locale>
+
+#include <gmock/gmock.h>
+
+namespace ptb {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+ResultFile one_case() {
+    ResultFile f;
+    DeviceInfo d;
+    d.key = "pocl:0";
+    d.vendor = "GenuineIntel";
+    d.type = "CPU";
+    d.name = "pthread";
+    f.devices = {d};
+    Record r;
+    r.params = {"pocl:0", "pt", "thesis", {640, 480}, 10, 128, {16, 16}, 8};
+    r.status = Status::ok;
+    r.statistics = Statistics{};
+    r.statistics->n = 3;
+    r.statistics->median_ns = 1'234'567.5;
+    r.samples = {{1'234'567, 1'234'567, 1'300'000, 5, 6, ""}};
+    f.cases = {r};
+    return f;
+}
+
+std::string second_line(const std::string& text) {
+    const auto start = text.find('\n') + 1;
+    return text.substr(start, text.find('\n', start) - start);
+}
+
+TEST(Csv, the_thesis_columns_come_first) {
+    EXPECT_THAT(csv(one_case()),
+                StartsWith("vendor,type,device,spp,time_ms,kernel,scene,width,height,path_length,"
+                           "work_group,lanes,status,reason,n,median_ms,"));
+    EXPECT_THAT(
+        second_line(csv(one_case())),
+        StartsWith("GenuineIntel,CPU,pthread,10,1.234568,pt,thesis,640,480,128,16x16,8,ok,,3,1.234568,"));
+}
+
+TEST(Csv, commas_and_quotes_are_quoted) {
+    ResultFile f = one_case();
+    f.devices[0].name = R"(Intel(R) "Core", fast)";
+    EXPECT_THAT(second_line(csv(f)), StartsWith(R"(GenuineIntel,CPU,"Intel(R) ""Core"", fast",10,)"));
+}
+
+TEST(Csv, formulas_and_control_characters_are_defused) {
+    ResultFile f = one_case();
+    f.devices[0].name = "=HYPERLINK(1)";
+    f.devices[0].vendor = "@a\nb";
+    f.cases[0].reason = "-1+1";
+    EXPECT_THAT(second_line(csv(f)),
+                AllOf(StartsWith("'@a b,CPU,'=HYPERLINK(1),10,"), HasSubstr(",ok,'-1+1,")));
+}
+
+TEST(Csv, only_an_ok_case_has_a_time) {
+    ResultFile f = one_case();
+    f.cases[0].status = Status::unstable;
+    f.cases[0].reason = "half of the samples are flagged";
+    EXPECT_THAT(second_line(csv(f)), StartsWith("GenuineIntel,CPU,pthread,10,,pt,"));
+    f.cases[0].statistics.reset();
+    f.cases[0].status = Status::ok;
+    EXPECT_THAT(second_line(csv(f)), StartsWith("GenuineIntel,CPU,pthread,10,,pt,"));
+}
+
+TEST(Csv, numbers_that_are_not_finite_are_empty) {
+    ResultFile f = one_case();
+    f.cases[0].statistics->median_ns = std::numeric_limits<double>::quiet_NaN();
+    f.cases[0].statistics->msamples_per_s = std::numeric_limits<double>::infinity();
+    EXPECT_THAT(csv(f), AllOf(Not(HasSubstr("nan")), Not(HasSubstr("inf"))));
+}
+
+TEST(Csv, every_line_has_as_many_cells_as_the_header) {
+    const auto text = csv(one_case());
+    const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
+    EXPECT_EQ(commas(second_line(text)), commas(text.substr(0, text.find('\n'))));
+    const auto samples = csv_samples(one_case());
+    EXPECT_EQ(commas(second_line(samples)), commas(samples.substr(0, samples.find('\n'))));
+}
+
+TEST(Csv, samples_are_integer_nanoseconds) {
+    EXPECT_THAT(second_line(csv_samples(one_case())), HasSubstr(",ok,,0,1234567,1234567,1300000,5,6,"));
+}
+
+struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+};
+
+TEST(Csv, the_locale_changes_nothing) {
+    const auto before = csv(one_case());
+    const std::locale old = std::locale::global(std::locale(std::locale::classic(), new Comma));
+    const auto after = csv(one_case());
+    std::locale::global(old);
+    EXPECT_EQ(after, before);
+}
+
+}  // namespace
+}  // namespace ptb

@@ -1,0 +1,227 @@
+#include "bench/report/table.h"
+
+#include <filesystem>
+#include <limits>
+#include <locale>
+
+#include <gmock/gmock.h>
+
+#include "bench/report/markdown.h"
+#include "bench/report/sections.h"
+#include "bench/report/words.h"
+
+namespace ptb {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+const PublishedTable& thesis() {
+    static const auto table =
+        read_published(std::filesystem::path(PTB_SOURCE_DIR) / "results/thesis-2016.json");
+    return table;
+}
+
+DeviceInfo device(std::string key, std::string vendor, std::string type, std::string name) {
+    DeviceInfo d;
+    d.key = std::move(key);
+    d.vendor = std::move(vendor);
+    d.type = std::move(type);
+    d.name = std::move(name);
+    return d;
+}
+
+Record timed_record(std::string device_key, std::string kernel, int spp, double median_ms) {
+    Record r;
+    r.params = {std::move(device_key), std::move(kernel), "thesis", {128, 128}, spp, 128, {}, 0};
+    r.status = Status::ok;
+    r.work = Work{163840, 5'000'000, 0, 8, 1, 0, 0};
+    Statistics s;
+    s.timer = "event";
+    s.n = 5;
+    s.median_ns = median_ms * 1e6;
+    s.mad_ns = median_ms * 1e4;
+    s.msamples_per_s = 12.345678;
+    s.msegments_per_s = 381.04;
+    r.statistics = s;
+    return r;
+}
+
+Record failed_record(int work_group_x, Status status, std::string reason) {
+    Record r;
+    r.params = {"gpu:0", "pt", "thesis", {128, 128}, 4, 128, {work_group_x, 0}, 0};
+    r.status = status;
+    r.reason = std::move(reason);
+    return r;
+}
+
+ResultFile two_devices() {
+    ResultFile f;
+    f.devices = {device("pocl:0", "AuthenticAMD", "CPU", "pthread-FX-6300"),
+                 device("gpu:0", "NVIDIA Corporation", "GPU", "NVIDIA H200")};
+    f.cases = {timed_record("pocl:0", "thesis", 10, 400), timed_record("pocl:0", "pt", 10, 100),
+               timed_record("gpu:0", "thesis", 10, 8), timed_record("gpu:0", "pt", 10, 4)};
+    return f;
+}
+
+/// Cells of a section's rows in the named column.
+std::vector<std::string> column(const Section& section, const std::string& title) {
+    std::vector<std::string> cells;
+    for (std::size_t i = 0; i < section.grid.columns.size(); ++i)
+        if (section.grid.columns[i].title == title)
+            for (const auto& row : section.grid.rows) cells.push_back(row.at(i));
+    return cells;
+}
+
+TEST(Table, the_thesis_columns_come_first_and_in_its_order) {
+    const auto columns = times_section(two_devices()).grid.columns;
+    std::vector<std::string> titles;
+    for (std::size_t i = 0; i < 5; ++i) titles.push_back(columns[i].title);
+    EXPECT_THAT(titles, ElementsAre("vendor", "type", "device", "SPP", "time ms"));
+}
+
+TEST(Table, rows_show_vendor_time_spread_and_rates) {
+    EXPECT_THAT(
+        to_text(times_section(two_devices())),
+        HasSubstr("AMD     CPU   pthread-FX-6300   10    400.0  thesis  128x128  implicit        8  ~1.0"
+                  "       12.35        381.0\n"));
+}
+
+TEST(Table, spread_is_the_interval_when_there_is_one) {
+    Statistics s = *timed_record("a", "pt", 1, 100).statistics;
+    s.ci_low_ns = 98e6;
+    s.ci_high_ns = 103e6;
+    EXPECT_EQ(spread_text(s), "2.5");
+    s.ci_low_ns.reset();
+    s.n = 2;
+    EXPECT_EQ(spread_text(s), "-") << "two samples have no spread to speak of";
+}
+
+TEST(Table, numbers_have_four_digits_or_all_before_the_point) {
+    EXPECT_EQ(number_text(1405217), "1405217");
+    EXPECT_EQ(number_text(1234.56), "1235");
+    EXPECT_EQ(number_text(123.456), "123.5");
+    EXPECT_EQ(number_text(1.23456), "1.235");
+    EXPECT_EQ(number_text(0.00123), "0.0012");
+    EXPECT_EQ(number_text(0), "0");
+    EXPECT_EQ(number_text(std::numeric_limits<double>::quiet_NaN()), "-");
+}
+
+TEST(Table, axes_that_differ_get_a_column_and_others_stand_in_the_title) {
+    ResultFile f = two_devices();
+    EXPECT_EQ(times_section(f).title, "times, scene thesis, path length 128");
+    f.cases[1].params.path_length = 5;
+    EXPECT_EQ(times_section(f).title, "times, scene thesis");
+    EXPECT_THAT(column(times_section(f), "path_length"), ElementsAre("128", "5", "128", "128"));
+}
+
+TEST(Table, a_time_by_the_host_clock_says_so) {
+    ResultFile f = two_devices();
+    f.cases[0].statistics->timer = "host";
+    f.cases[1].statistics->stop_reason = "low_n";
+    EXPECT_THAT(column(times_section(f), "note"), ElementsAre("timer: host", "low n", "", ""));
+}
+
+TEST(Table, an_image_that_is_wrong_never_has_a_time) {
+    ResultFile f = two_devices();
+    f.cases[0].status = Status::invalid;
+    f.cases[0].reason = "block 3 is off by 9.1 standard errors";
+    EXPECT_THAT(table(f, thesis()), AllOf(Not(HasSubstr("400.0")), HasSubstr("block 3 is off")));
+}
+
+TEST(Table, cases_without_a_time_share_a_line_when_they_share_a_reason) {
+    ResultFile f = two_devices();
+    for (const int x : {16, 32, 64, 128, 256})
+        f.cases.push_back(failed_record(x, Status::skipped, "budget of 150 s"));
+    f.cases.push_back(failed_record(512, Status::unsupported, "work_group 512, this kernel allows 256 here"));
+    const auto section = problems_section(f);
+    EXPECT_THAT(column(section, "cases"), ElementsAre("5", "1"));
+    EXPECT_THAT(column(section, "which")[0],
+                "gpu:0 pt 128x128 SPP 4 work-group 16; gpu:0 pt 128x128 SPP 4 work-group 32; "
+                "gpu:0 pt 128x128 SPP 4 work-group 64; and 2 more");
+    EXPECT_THAT(column(section, "reason")[1], "work_group 512, this kernel allows 256 here");
+}
+
+TEST(Table, devices_side_by_side_are_compared_with_the_slowest) {
+    const auto section = devices_section(two_devices());
+    EXPECT_THAT(column(section, "kernel"), ElementsAre("thesis", "pt"));
+    EXPECT_THAT(column(section, "CPU pthread-FX-6300"), ElementsAre("400.0 (1.00x)", "100.0 (1.00x)"));
+    EXPECT_THAT(column(section, "GPU NVIDIA H200"), ElementsAre("8.000 (50.00x)", "4.000 (25.00x)"));
+}
+
+TEST(Table, a_device_without_a_time_leaves_a_gap) {
+    ResultFile f = two_devices();
+    f.cases.pop_back();
+    EXPECT_THAT(column(devices_section(f), "GPU NVIDIA H200"), ElementsAre("8.000 (50.00x)", "-"));
+}
+
+TEST(Table, one_device_has_nobody_beside_it) {
+    ResultFile f = two_devices();
+    f.cases.resize(2);
+    EXPECT_THAT(devices_section(f).grid.rows, IsEmpty());
+}
+
+TEST(Table, two_equal_devices_are_told_apart) {
+    ResultFile f = two_devices();
+    f.devices.push_back(f.devices[1]);
+    f.devices[2].key = "gpu:1";
+    EXPECT_EQ(device_label(f, "gpu:1"), "[gpu:1] NVIDIA H200");
+}
+
+TEST(Table, pt_is_compared_with_thesis_on_each_device) {
+    EXPECT_THAT(column(kernels_section(two_devices()), "thesis / pt"), ElementsAre("4.00x", "2.00x"));
+}
+
+TEST(Table, long_names_are_shortened_in_the_terminal_only) {
+    ResultFile f = two_devices();
+    const std::string name = "AMD EPYC 9654 96-Core Processor with a very long name";
+    f.devices[0].name = name;
+    EXPECT_THAT(table(f, thesis()), Not(HasSubstr(name)));
+    EXPECT_THAT(markdown(f, thesis()), HasSubstr("a very long name"));
+}
+
+TEST(Table, escape_codes_of_drivers_do_not_reach_the_terminal) {
+    ResultFile f = two_devices();
+    f.devices[0].name = "evil\x1b]0;title\x07\nname";
+    f.devices[1].vendor = "\xff\xfe";
+    f.cases.push_back(failed_record(8, Status::runtime, "\x1b[2J"));
+    f.warnings = {"\x1b[31m"};
+    f.broken_icds = {{"\x1b.icd", "\x1b"}};
+    EXPECT_THAT(table(f, thesis()),
+                AllOf(Not(HasSubstr("\x1b")), Not(HasSubstr("\x07")), Not(HasSubstr("\xff"))));
+    EXPECT_THAT(markdown(f, thesis()), AllOf(Not(HasSubstr("\x1b")), Not(HasSubstr("\x07"))));
+}
+
+TEST(Table, what_spoils_a_run_is_remarked) {
+    ResultFile f = two_devices();
+    f.run.interrupted = true;
+    f.warnings = {"load is 7.5"};
+    f.broken_icds = {{"bad.icd", "killed by SIGSEGV (11)"}};
+    f.devices[0].excluded = "the same device as gpu:0";
+    EXPECT_THAT(remarks_section(f).notes, ElementsAre(HasSubstr("interrupted"), "warning: load is 7.5",
+                                                      "bad.icd is broken: killed by SIGSEGV (11)",
+                                                      "pocl:0 is not used: the same device as gpu:0"));
+}
+
+TEST(Table, an_empty_result_shows_the_published_rows_alone) {
+    EXPECT_THAT(table({}, thesis()), HasSubstr("Radeon R9 290X"));
+    EXPECT_EQ(table({}, {}), "");
+}
+
+struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+};
+
+TEST(Table, the_locale_changes_nothing) {
+    const auto before = table(two_devices(), thesis());
+    const std::locale old = std::locale::global(std::locale(std::locale::classic(), new Comma));
+    const auto after = table(two_devices(), thesis());
+    std::locale::global(old);
+    EXPECT_EQ(after, before);
+}
+
+}  // namespace
+}  // namespace ptb
