@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# From a fresh clone to the tests' verdict: installs what is missing, builds everything, runs ctest.
+#   scripts/test.sh                  every test, and the unit and cli tests again under sanitizers
+#   scripts/test.sh [ctest options]  what the options choose: -L unit, -R layout, ...
+# The last lines are ctest's summary; the exit code is ctest's.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+# shellcheck source=scripts/packages.sh
+. "$root/scripts/packages.sh"
+
+install_missing "$PACKAGES_TO_TEST"
+cd "$root"
+
+options=()
+if [ -n "${PTB_STRICT-}" ]; then options+=(-DCMAKE_CXX_FLAGS=-Werror); fi
+if command -v ccache >/dev/null; then options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+
+sanitized=''
+if [ $# -eq 0 ]; then
+    sanitized=$root/build/asan
+    quietly cmake --preset asan
+fi
+quietly cmake --preset release -DPTBENCH_TESTS=ON -DPTBENCH_MICRO=ON "-DPTBENCH_SANITIZED_TREE=$sanitized" ${options[@]+"${options[@]}"}
+cmake --build build/release
+if [ -n "$sanitized" ]; then cmake --build build/asan --target unit_tests fake_worker ptbench; fi
+
+exec ctest --test-dir build/release --output-on-failure --parallel "$(nproc)" "$@"

@@ -1,0 +1,149 @@
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "tests/support/devices.h"
+#include "tests/support/render_once.h"
+#include "tests/support/scenes.h"
+
+namespace ptb {
+namespace {
+
+RenderJob small_job(int lanes) {
+    RenderJob job;
+    job.size = {37, 21};
+    job.spp = 7;
+    job.path_length = 6;
+    job.lanes = lanes;
+    return job;
+}
+
+bool same_bits(const Image& a, const Image& b) {
+    return a.rgb.size() == b.rgb.size() &&
+           std::memcmp(a.rgb.data(), b.rgb.data(), a.rgb.size() * sizeof(float)) == 0;
+}
+
+/// Mean, variance and counts, bit by bit.
+void expect_same(const Film& film, const Film& other) {
+    EXPECT_TRUE(same_bits(film.mean, other.mean));
+    EXPECT_EQ(film.variance.has_value(), other.variance.has_value());
+    if (film.variance && other.variance) {
+        EXPECT_TRUE(same_bits(*film.variance, *other.variance));
+    }
+    EXPECT_EQ(film.samples, other.samples);
+    EXPECT_EQ(film.segments, other.segments);
+    EXPECT_EQ(film.full_length_paths, other.full_length_paths);
+}
+
+/// Runs `body(device, integrator, lanes)` for all there are.
+template <class Body>
+void on_everything(Body&& body) {
+    on_every_device([&](const ocl::Device& device) {
+        for (const Integrator& row : integrators()) {
+            for (const int lanes : row.lanes) {
+                SCOPED_TRACE(fmt::format("{}, lanes {}", row.id, lanes));
+                body(device, row, lanes);
+            }
+        }
+    });
+}
+
+TEST(Determinism, work_group_changes_no_bit) {
+    const Scene scene = shipped_scene("thesis");
+    on_everything([&](const ocl::Device& device, const Integrator& row, int lanes) {
+        const Film implicit = render_film(device, row.id, scene, small_job(lanes));
+        std::vector<std::pair<int, int>> groups{{1, 0}, {7, 0}, {64, 0}};
+        if (row.two_dimensional) groups.insert(groups.end(), {{16, 16}, {5, 3}, {64, 1}});
+        for (const auto& [x, y] : groups) {
+            SCOPED_TRACE(fmt::format("work-group {}x{}", x, y));
+            RenderJob job = small_job(lanes);
+            job.work_group_x = x;
+            job.work_group_y = y;
+            expect_same(render_film(device, row.id, scene, job), implicit);
+        }
+    });
+}
+
+TEST(Determinism, cut_into_passes_changes_no_bit) {
+    const Scene scene = shipped_scene("thesis");
+    on_everything([&](const ocl::Device& device, const Integrator& row, int lanes) {
+        const auto render = make_render(device, row.id, scene, small_job(lanes));
+        const Film at_once = finish(*render);
+        for (const std::uint64_t samples : {100u, 1000u, 2500u}) {
+            SCOPED_TRACE(fmt::format("{} samples a pass", samples));
+            render->restart();
+            expect_same(finish(*render, samples), at_once);
+        }
+    });
+}
+
+TEST(Determinism, smallest_passes_change_no_bit) {
+    const Scene scene = shipped_scene("thesis");
+    on_everything([&](const ocl::Device& device, const Integrator& row, int lanes) {
+        RenderJob job = small_job(lanes);
+        job.size = {9, 5};
+        job.spp = 3;
+        for (const int work_group_y : {0, row.two_dimensional ? 4 : 0}) {
+            job.work_group_x = work_group_y == 0 ? 0 : 4;
+            job.work_group_y = work_group_y;
+            const auto render = make_render(device, row.id, scene, job);
+            const Film at_once = finish(*render);
+            render->restart();
+            expect_same(finish(*render, 1), at_once);
+        }
+    });
+}
+
+TEST(Determinism, restart_and_repetition_change_no_bit) {
+    const Scene scene = shipped_scene("free_light");
+    on_everything([&](const ocl::Device& device, const Integrator& row, int lanes) {
+        const auto render = make_render(device, row.id, scene, small_job(lanes));
+        const Film first = finish(*render);
+        render->restart();
+        expect_same(finish(*render), first);
+        render->restart();
+        render->advance(500);  // left in the middle
+        render->restart();
+        expect_same(finish(*render), first);
+        expect_same(render_film(device, row.id, scene, small_job(lanes)), first);
+    });
+}
+
+TEST(Determinism, restart_empties_the_film) {
+    const Scene scene = shipped_scene("thesis");
+    on_everything([&](const ocl::Device& device, const Integrator& row, int lanes) {
+        const auto render = make_render(device, row.id, scene, small_job(lanes));
+        finish(*render);
+        render->restart();
+        const Film film = render->read_film();
+        EXPECT_EQ(film.segments, 0u);
+        for (const float value : film.mean.rgb) ASSERT_EQ(value, 0.0f);
+    });
+}
+
+TEST(Determinism, seed_changes_the_picture) {
+    const Scene scene = shipped_scene("free_light");
+    on_everything([&](const ocl::Device& device, const Integrator& row, int lanes) {
+        RenderJob job = small_job(lanes);
+        const Film first = render_film(device, row.id, scene, job);
+        job.seed = 2;
+        EXPECT_FALSE(same_bits(render_film(device, row.id, scene, job).mean, first.mean));
+    });
+}
+
+TEST(Determinism, where_the_scene_lies_changes_no_bit) {
+    const Scene scene = mixed_balls(20);
+    on_every_device([&](const ocl::Device& device) {
+        for (const int lanes : integrator("pt").lanes) {
+            SCOPED_TRACE(fmt::format("lanes {}", lanes));
+            const RenderJob job = small_job(lanes);
+            const auto global = make_render(device, "pt", scene, job, " -DPT_SCENE_SPACE=__global");
+            expect_same(finish(*global), render_film(device, "pt", scene, job));
+        }
+    });
+}
+
+}  // namespace
+}  // namespace ptb

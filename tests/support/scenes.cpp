@@ -1,0 +1,118 @@
+#include "tests/support/scenes.h"
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+
+namespace ptb {
+
+namespace {
+
+Material matte(Vec3 albedo) {
+    Material m;
+    m.name = "matte";
+    m.albedo = albedo;
+    return m;
+}
+
+Material mirror(Vec3 reflectance) {
+    Material m;
+    m.name = "mirror";
+    m.type = MaterialType::mirror;
+    m.reflectance = reflectance;
+    return m;
+}
+
+Material glass(double ior) {
+    Material m;
+    m.name = "glass";
+    m.type = MaterialType::dielectric;
+    m.ior = ior;
+    return m;
+}
+
+Material light(Vec3 radiance) {
+    Material m;
+    m.name = "light";
+    m.type = MaterialType::emitter;
+    m.radiance = radiance;
+    m.scatters = false;
+    return m;
+}
+
+/// An emitter that also scatters, so that paths bounce between dome and balls.
+Material dome(Vec3 radiance, Vec3 albedo) {
+    Material m = light(radiance);
+    m.name = "dome";
+    m.albedo = albedo;
+    m.scatters = true;
+    return m;
+}
+
+Camera looking_along_z(double from) {
+    return {{0, 0, from}, {0, 0, 0}, {0, 1, 0}, 50};
+}
+
+}  // namespace
+
+Scene shipped_scene(const std::string& name) {
+    return load_scene(std::filesystem::path(PTB_SOURCE_DIR) / "configs/scenes" / (name + ".json"));
+}
+
+Scene camera_in_glass() {
+    Scene scene{"camera_in_glass", looking_along_z(-20), {}, {}};
+    scene.materials = {dome({0.2, 0.3, 0.4}, {0.6, 0.5, 0.4}), light({6, 5, 4}), glass(1.5),
+                       matte({0.8, 0.4, 0.2})};
+    scene.spheres = {{{0, 0, 0}, 60, 0}, {{0, 25, 10}, 8, 1}, {{0, 0, -20}, 3, 2}, {{4, -6, 8}, 7, 3}};
+    return scene;
+}
+
+Scene nested_glass() {
+    Scene scene{"nested_glass", looking_along_z(-30), {}, {}};
+    scene.materials = {dome({0.3, 0.3, 0.3}, {0.5, 0.6, 0.7}),
+                       glass(1.3),
+                       glass(1.6),
+                       glass(2.0),
+                       light({4, 4, 2}),
+                       matte({0.2, 0.7, 0.7})};
+    scene.spheres = {{{0, 0, 0}, 80, 0}, {{0, 0, 0}, 10, 1},    {{1, 0, -1}, 7, 2},
+                     {{1, 1, -1}, 4, 3}, {{-18, 12, 10}, 6, 4}, {{12, -14, 8}, 6, 5}};
+    return scene;
+}
+
+Scene glass_balls(int count) {
+    Scene scene{"glass_balls", looking_along_z(-40), {}, {}};
+    scene.materials = {dome({0.5, 0.6, 0.7}, {0.4, 0.4, 0.4}), glass(1.5), light({5, 3, 2})};
+    scene.spheres = {{{0, 0, 0}, 90, 0}, {{0, 30, 0}, 6, 2}};
+    for (int i = 0; i < count; ++i)
+        scene.spheres.push_back({{i % 8 * 5.0 - 17.5, i / 8 * 5.0 - 10, i % 3 * 6.0}, 2.2, 1});
+    return scene;
+}
+
+Scene mixed_balls(int count) {
+    Scene scene{"mixed_balls", looking_along_z(-45), {}, {}};
+    scene.materials = {dome({0.4, 0.5, 0.6}, {0.3, 0.3, 0.3}),
+                       matte({0.8, 0.3, 0.3}),
+                       matte({0.3, 0.7, 0.4}),
+                       mirror({0.9, 0.8, 0.5}),
+                       glass(1.4),
+                       light({3, 3, 1})};
+    scene.spheres = {{{0, 0, 0}, 100, 0}};
+    std::mt19937 random(7);
+    // A ball stays in its own cell of the grid, so no two overlap. The engine's own numbers: they are the
+    // same everywhere.
+    const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    const int edge = static_cast<int>(std::ceil(std::cbrt(count)));
+    const double cell = 40.0 / edge;
+    for (int i = 0; i + 1 < count; ++i) {
+        const double radius = cell * (0.15 + 0.2 * uniform());
+        const auto place = [&](int number) {
+            return -20 + cell * number + radius + (cell - 2 * radius) * uniform();
+        };
+        const double x = place(i % edge), y = place(i / edge % edge), z = place(i / edge / edge);
+        scene.spheres.push_back({{x, y, z}, radius, 1 + i % 5});
+    }
+    return scene;
+}
+
+}  // namespace ptb
