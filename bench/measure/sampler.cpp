@@ -8,11 +8,13 @@
 namespace ptb {
 
 void PassCutter::learn(std::uint64_t samples, std::int64_t ns) {
-    const double wanted = static_cast<double>(samples) * static_cast<double>(target_ns) / static_cast<double>(std::max<std::int64_t>(ns, 1));
+    const double wanted = static_cast<double>(samples) * static_cast<double>(target_ns) /
+                          static_cast<double>(std::max<std::int64_t>(ns, 1));
     next_ = static_cast<std::uint64_t>(std::clamp(wanted, 1.0, static_cast<double>(samples) * 8));
 }
 
-TimedRender timed_render(Render& render, PassCutter& cutter, std::uint64_t timer_resolution_ns, const Progress& progress) {
+TimedRender timed_render(Render& render, PassCutter& cutter, std::uint64_t timer_resolution_ns,
+                         const Progress& progress) {
     TimedRender result;
     render.restart();
     const std::uint64_t all = render.samples_left();

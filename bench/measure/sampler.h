@@ -9,8 +9,8 @@
 
 namespace ptb {
 
-/// Chooses how many pixel samples the next pass gets, so that a launch lasts about a quarter of a second: drivers kill
-/// or freeze on longer ones, and shorter ones cost launches.
+/// Chooses how many pixel samples the next pass gets, so that a launch lasts about a quarter of a second:
+/// drivers kill or freeze on longer ones, and shorter ones cost launches.
 class PassCutter {
   public:
     static constexpr std::int64_t target_ns = 250'000'000;
@@ -25,7 +25,7 @@ class PassCutter {
 /// One full render under both clocks.
 struct TimedRender {
     TimeSample time;
-    std::string timer_fault;  ///< what was wrong with the events, or nothing
+    std::string timer_fault;      ///< what was wrong with the events, or nothing
     std::int64_t covered_ns = 0;  ///< of the host's time, what the events account for
     int passes = 0;
     std::int64_t longest_launch_ns = 0;
@@ -34,8 +34,9 @@ struct TimedRender {
 /// Told after every pass how much of the render is done, 0 to 1; answers whether to go on.
 using Progress = std::function<bool(double done)>;
 
-/// Renders from an empty film to the end, pass by pass. The events' own lengths steer the cutter, the host's clock
-/// where they are useless.
-TimedRender timed_render(Render& render, PassCutter& cutter, std::uint64_t timer_resolution_ns, const Progress& progress);
+/// Renders from an empty film to the end, pass by pass. The events' own lengths steer the cutter, the host's
+/// clock where they are useless.
+TimedRender timed_render(Render& render, PassCutter& cutter, std::uint64_t timer_resolution_ns,
+                         const Progress& progress);
 
 }  // namespace ptb

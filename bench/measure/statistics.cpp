@@ -13,7 +13,8 @@ std::optional<std::pair<double, double>> median_interval(std::span<const double>
     const int n = static_cast<int>(sorted.size());
     if (n == 0) return std::nullopt;
     const boost::math::binomial_distribution<> below_median(n, 0.5);
-    // [x_(k), x_(n+1-k)] misses the median with probability 2 P(B < k); take the largest k that covers enough.
+    // [x_(k), x_(n+1-k)] misses the median with probability 2 P(B < k); take the largest k that covers
+    // enough.
     int k = 0;
     while (k + 1 <= n / 2 && 2 * boost::math::cdf(below_median, k) <= 1 - confidence) ++k;
     if (k == 0) return std::nullopt;

@@ -8,9 +8,9 @@
 
 namespace ptb {
 
-/// Distribution-free interval of the median: order statistics of `sorted` whose coverage is at least `confidence`, or
-/// nothing when `sorted` is too short for it (n < 6 at 95 %). See "Nonparametric Statistical Inference", by Gibbons
-/// and Chakraborti, chapter 5.
+/// Distribution-free interval of the median: order statistics of `sorted` whose coverage is at least
+/// `confidence`, or nothing when `sorted` is too short for it (n < 6 at 95 %). See "Nonparametric Statistical
+/// Inference", by Gibbons and Chakraborti, chapter 5.
 std::optional<std::pair<double, double>> median_interval(std::span<const double> sorted, double confidence);
 
 /// Quantile of sorted numbers, linear between order statistics; `p` in [0, 1].

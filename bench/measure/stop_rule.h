@@ -11,7 +11,8 @@ struct Measured {
     double last_sample_s = 0;  ///< what the next one will take, as far as anybody knows
 };
 
-/// Fixed repetitions within a time for the case and a share of a time for the run. One sample is always taken.
+/// Fixed repetitions within a time for the case and a share of a time for the run. One sample is always
+/// taken.
 struct FixedSamples {
     int samples = 5;
     double max_time_s = 30;

@@ -35,7 +35,8 @@ std::int64_t union_ns(std::span<const LaunchTimes> launches) {
     return total;
 }
 
-std::string timer_fault(std::span<const LaunchTimes> launches, std::int64_t host_ns, std::uint64_t resolution_ns) {
+std::string timer_fault(std::span<const LaunchTimes> launches, std::int64_t host_ns,
+                        std::uint64_t resolution_ns) {
     const double allowed = static_cast<double>(host_ns) * 1.02 + static_cast<double>(resolution_ns);
     for (const LaunchTimes& t : launches) {
         const std::string fault = order_fault(t);

@@ -106,9 +106,7 @@ void check_axis_name(const std::string& name) {
                                  did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
-Case default_case() {
-    return {"", "pt", "thesis", {128, 128}, 10, 128, {}, 0};
-}
+Case default_case() { return {"", "pt", "thesis", {128, 128}, 10, 128, {}, 0}; }
 
 void set_case_value(Case& c, const std::string& axis, const std::string& value) {
     check_axis_name(axis);
@@ -140,8 +138,6 @@ std::string to_string(WorkGroup work_group) {
     return fmt::format("{}x{}", work_group.x, work_group.y);
 }
 
-std::string to_string(Size size) {
-    return fmt::format("{}x{}", size.width, size.height);
-}
+std::string to_string(Size size) { return fmt::format("{}x{}", size.width, size.height); }
 
 }  // namespace ptb

@@ -42,9 +42,7 @@ requires std::integral<Value> || std::same_as<Value, std::string> Json encode(co
     return value;
 }
 /// A number that is not finite has no spelling in JSON: null.
-inline Json encode(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
+inline Json encode(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 template <HasFields Struct>
 Json encode(const Struct& value);

@@ -13,9 +13,7 @@
 namespace ptb {
 namespace {
 
-std::string line_of(const Json& json) {
-    return dump_json(json) + "\n";
-}
+std::string line_of(const Json& json) { return dump_json(json) + "\n"; }
 
 std::string journal_text(const ResultFile& result) {
     ResultFile header = result;

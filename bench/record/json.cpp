@@ -78,9 +78,7 @@ void decode(const Json& json, const Where& where, Case& c) {
     }
 }
 
-Json encode(Status status) {
-    return to_string(status);
-}
+Json encode(Status status) { return to_string(status); }
 
 void decode(const Json& json, const Where& where, Status& status) {
     const auto parsed = json.is_string() ? parse_status(json.get_ref<const std::string&>()) : std::nullopt;

@@ -36,9 +36,7 @@ bool is_printable(std::uint32_t code) {
     return !separator && !turns;
 }
 
-bool continues(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
+bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 }  // namespace
 

@@ -18,8 +18,8 @@ struct Work {
     std::uint64_t samples = 0;   ///< width x height x spp
     std::uint64_t segments = 0;  ///< path segments traced, counted by the kernel
     std::uint64_t full_length_paths = 0;
-    int lanes = 1;               ///< lane width that ran
-    int passes = 0;              ///< launches of the render kernel in one sample of time
+    int lanes = 1;   ///< lane width that ran
+    int passes = 0;  ///< launches of the render kernel in one sample of time
     std::int64_t longest_launch_ns = 0;
     std::uint64_t device_bytes = 0;  ///< device memory asked for
     bool operator==(const Work&) const = default;
@@ -28,13 +28,13 @@ struct Work {
 /// What was built, and what it took.
 struct Build {
     std::string options;
-    std::string kernel_hash;    ///< of the flattened text the driver saw
-    bool overridden = false;    ///< text came from --kernel-dir
+    std::string kernel_hash;  ///< of the flattened text the driver saw
+    bool overridden = false;  ///< text came from --kernel-dir
     double build_ms = 0;
     double upload_ms = 0;
     double readback_ms = 0;
-    std::int64_t first_launch_ns = 0;     ///< first launch of this work-group size; PoCL compiles then
-    std::uint64_t max_work_group = 0;     ///< CL_KERNEL_WORK_GROUP_SIZE
+    std::int64_t first_launch_ns = 0;  ///< first launch of this work-group size; PoCL compiles then
+    std::uint64_t max_work_group = 0;  ///< CL_KERNEL_WORK_GROUP_SIZE
     std::uint64_t preferred_multiple = 0;
     std::uint64_t local_bytes = 0, private_bytes = 0;
     std::string log;
@@ -54,12 +54,12 @@ struct TimeSample {
 
 /// Statistics over the samples' headline time, in nanoseconds.
 struct Statistics {
-    std::string timer;        ///< "event" or "host"
-    std::string timer_reason; ///< why not "event"
+    std::string timer;         ///< "event" or "host"
+    std::string timer_reason;  ///< why not "event"
     int n = 0;
     double median_ns = 0, mad_ns = 0, mean_ns = 0, min_ns = 0, max_ns = 0, q1_ns = 0, q3_ns = 0;
     std::optional<double> ci_low_ns, ci_high_ns;  ///< exact 95 % interval of the median; absent for small n
-    std::string stop_reason;  ///< "samples", "max_time", "max_total_time", "low_n"
+    std::string stop_reason;                      ///< "samples", "max_time", "max_total_time", "low_n"
     double msamples_per_s = 0, msegments_per_s = 0;
     bool operator==(const Statistics&) const = default;
 };
@@ -71,7 +71,7 @@ struct Validation {
     std::string reason;   ///< why invalid, one line
     std::uint64_t samples = 0;
     std::optional<double> max_abs_z, z_limit;  ///< worst pixel block and the family's limit
-    std::optional<double> mean_z;              ///< worst channel of the image mean, in combined standard errors
+    std::optional<double> mean_z;  ///< worst channel of the image mean, in combined standard errors
     double segments_per_sample = 0;
     std::optional<double> reference_segments_per_sample;
     std::vector<std::string> checks;  ///< names of the checks that ran: "finite", "counts", "blocks", ...

@@ -5,9 +5,7 @@
 
 namespace ptb {
 
-std::string result_text(const ResultFile& result) {
-    return dump_json(result_to_json(result), 2) + "\n";
-}
+std::string result_text(const ResultFile& result) { return dump_json(result_to_json(result), 2) + "\n"; }
 
 void write_result(const std::filesystem::path& file, const ResultFile& result) {
     write_file(file, result_text(result));

@@ -89,9 +89,7 @@ std::string Where::text() const {
     return path.empty() ? *root->origin_ : *root->origin_ + ": " + path;
 }
 
-void Where::fail(const std::string& message) const {
-    throw UsageError(text() + ": " + message);
-}
+void Where::fail(const std::string& message) const { throw UsageError(text() + ": " + message); }
 
 void Where::refuse(const Json& found, const std::string& allowed) const {
     const bool container = found.is_structured() && !found.empty();
@@ -132,12 +130,8 @@ void decode(const Json& json, const Where& where, bool& value) {
     value = json.get<bool>();
 }
 
-void decode(const Json& json, const Where& where, int& value) {
-    decode_integer(json, where, value);
-}
-void decode(const Json& json, const Where& where, std::int64_t& value) {
-    decode_integer(json, where, value);
-}
+void decode(const Json& json, const Where& where, int& value) { decode_integer(json, where, value); }
+void decode(const Json& json, const Where& where, std::int64_t& value) { decode_integer(json, where, value); }
 void decode(const Json& json, const Where& where, std::uint64_t& value) {
     decode_integer(json, where, value);
 }

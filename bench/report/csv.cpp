@@ -28,9 +28,7 @@ std::string real(double value, int decimals) {
     return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "";
 }
 
-std::string ms_text(double ns) {
-    return real(ms(ns), 6);
-}
+std::string ms_text(double ns) { return real(ms(ns), 6); }
 
 std::string quoted(const std::string& cell) {
     if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;

@@ -11,9 +11,7 @@
 
 namespace ptb {
 
-Json encode(Size size) {
-    return to_string(size);
-}
+Json encode(Size size) { return to_string(size); }
 void decode(const Json& json, const Where& where, Size& size) {
     std::string text;
     decode(json, where, text);

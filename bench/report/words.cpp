@@ -21,9 +21,7 @@ std::string number_text(double value) {
     return fmt::format("{:.2g}", value);
 }
 
-double ms(double ns) {
-    return ns / 1e6;
-}
+double ms(double ns) { return ns / 1e6; }
 
 std::string spread_text(const Statistics& s) {
     const auto percent = [&](double ns) { return fmt::format("{:.1f}", 100 * ns / s.median_ns); };

@@ -21,7 +21,9 @@ Blocks block_means(const Image& image, int edge) {
 
 int block_edge(std::uint64_t samples, int spp) {
     int edge = 1;
-    while (static_cast<std::uint64_t>(edge) * static_cast<std::uint64_t>(edge) * static_cast<std::uint64_t>(spp) < samples)
+    while (static_cast<std::uint64_t>(edge) * static_cast<std::uint64_t>(edge) *
+               static_cast<std::uint64_t>(spp) <
+           samples)
         edge *= 2;
     return edge;
 }

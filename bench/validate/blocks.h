@@ -7,8 +7,8 @@
 
 namespace ptb {
 
-/// Means of square blocks of pixels, RGB interleaved, blocks from the top left. An edge that does not divide the image
-/// leaves smaller blocks at the right and the bottom.
+/// Means of square blocks of pixels, RGB interleaved, blocks from the top left. An edge that does not divide
+/// the image leaves smaller blocks at the right and the bottom.
 struct Blocks {
     int across = 0, down = 0;
     std::vector<double> rgb;

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::array channel_names{"red", "green", "blue"};
 
-/// A difference in units of its standard error. Without variance on the reference's side there is nothing random: the
-/// value must be the same up to rounding.
+/// A difference in units of its standard error. Without variance on the reference's side there is nothing
+/// random: the value must be the same up to rounding.
 double z_score(double value, double expected, double variance) {
     if (variance > 0) return (value - expected) / std::sqrt(variance);
     const bool same = std::abs(value - expected) <= 1e-4 * std::max(std::abs(expected), 1e-6);
@@ -53,14 +53,16 @@ void check_mean(Validation& validation, const Evidence& evidence, const Referenc
         const double z = z_score(mean[c], expected[c], difference_variance(variance[c], n, m));
         if (std::abs(z) > std::abs(worst)) worst = z;
         if (std::abs(z) > limit)
-            fail(validation, fmt::format("image mean: {} is {:.5f}, the reference's is {:.5f} ({:.1f} standard errors)",
-                                         channel_names[c], mean[c], expected[c], z));
+            fail(validation,
+                 fmt::format("image mean: {} is {:.5f}, the reference's is {:.5f} ({:.1f} standard errors)",
+                             channel_names[c], mean[c], expected[c], z));
     }
     validation.mean_z = worst;
     validation.checks.push_back("mean");
 }
 
-void check_segments(Validation& validation, const Evidence& evidence, const Reference& reference, double limit) {
+void check_segments(Validation& validation, const Evidence& evidence, const Reference& reference,
+                    double limit) {
     if (!same_shape(evidence.size, reference.size)) return;
     const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
     const double z = z_score(validation.segments_per_sample, reference.segments_per_sample,
@@ -68,11 +70,13 @@ void check_segments(Validation& validation, const Evidence& evidence, const Refe
     validation.reference_segments_per_sample = reference.segments_per_sample;
     validation.checks.push_back("segments");
     if (std::abs(z) > limit)
-        fail(validation, fmt::format("{:.3f} segments a sample, the reference has {:.3f} ({:.1f} standard errors)",
-                                     validation.segments_per_sample, reference.segments_per_sample, z));
+        fail(validation,
+             fmt::format("{:.3f} segments a sample, the reference has {:.3f} ({:.1f} standard errors)",
+                         validation.segments_per_sample, reference.segments_per_sample, z));
 }
 
-void check_full_length(Validation& validation, const Evidence& evidence, const Reference& reference, double limit) {
+void check_full_length(Validation& validation, const Evidence& evidence, const Reference& reference,
+                       double limit) {
     if (!evidence.film.full_length_paths || !same_shape(evidence.size, reference.size)) return;
     const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
     const double share = static_cast<double>(*evidence.film.full_length_paths) / n;
@@ -80,8 +84,10 @@ void check_full_length(Validation& validation, const Evidence& evidence, const R
     const double z = z_score(share, expected, difference_variance(expected * (1 - expected), n, m));
     validation.checks.push_back("full_length");
     if (std::abs(z) > limit)
-        fail(validation, fmt::format("{:.4f} % of the paths reach full length, the reference has {:.4f} % ({:.1f} "
-                                     "standard errors)", 100 * share, 100 * expected, z));
+        fail(validation,
+             fmt::format("{:.4f} % of the paths reach full length, the reference has {:.4f} % ({:.1f} "
+                         "standard errors)",
+                         100 * share, 100 * expected, z));
 }
 
 /// Pixel blocks of a film, of its reference, and of the reference's variance.
@@ -95,7 +101,8 @@ struct BlockFamily {
           expected(block_means(reference.mean, block)),
           variance(block_means(reference.variance, block)) {}
 
-    /// How many hits of the light this block's mean is worth: light is hit rarely, and a sum of few hits is not Gaussian.
+    /// How many hits of the light this block's mean is worth: light is hit rarely, and a sum of few hits is
+    /// not Gaussian.
     double hits(std::size_t i, int spp) const {
         if (variance.rgb[i] == 0) return std::numeric_limits<double>::infinity();
         return expected.rgb[i] * expected.rgb[i] / variance.rgb[i] * found.pixels[i / 3] * spp;
@@ -121,15 +128,18 @@ void check_blocks(Validation& validation, const Evidence& evidence, const Refere
         if (!blocks.gaussian(i, spp)) continue;
         const double pixels = blocks.found.pixels[i / 3];
         const double found = blocks.found.rgb[i], expected = blocks.expected.rgb[i];
-        const double z = z_score(found, expected, difference_variance(blocks.variance.rgb[i], pixels * evidence.spp,
-                                                                      pixels * reference.spp));
+        const double z = z_score(
+            found, expected,
+            difference_variance(blocks.variance.rgb[i], pixels * evidence.spp, pixels * reference.spp));
         worst = std::max(worst, std::abs(z));
         const int block = static_cast<int>(i / 3);
         if (std::abs(z) > limit)
-            fail(validation, fmt::format("{}x{} block at column {}, row {}: {} is {:.5f}, the reference's is {:.5f} ({:.1f} "
-                                         "standard errors, limit {:.1f})",
-                                         edge, edge, block % blocks.found.across * edge, block / blocks.found.across * edge,
-                                         channel_names[i % 3], found, expected, z, limit));
+            fail(validation,
+                 fmt::format(
+                     "{}x{} block at column {}, row {}: {} is {:.5f}, the reference's is {:.5f} ({:.1f} "
+                     "standard errors, limit {:.1f})",
+                     edge, edge, block % blocks.found.across * edge, block / blocks.found.across * edge,
+                     channel_names[i % 3], found, expected, z, limit));
     }
     validation.max_abs_z = std::isfinite(worst) ? worst : 1e9;
     validation.z_limit = limit;
@@ -156,13 +166,16 @@ Validation check_film(const Evidence& evidence) {
     validation.samples = static_cast<std::uint64_t>(samples);
     validation.segments_per_sample = static_cast<double>(evidence.film.segments) / samples;
     const auto& rgb = evidence.film.mean.rgb;
-    const auto bad = std::find_if(rgb.begin(), rgb.end(), [](float v) { return !(v >= 0 && std::isfinite(v)); });
+    const auto bad =
+        std::find_if(rgb.begin(), rgb.end(), [](float v) { return !(v >= 0 && std::isfinite(v)); });
     if (bad != rgb.end()) {
         const auto pixel = (bad - rgb.begin()) / 3;
-        fail(validation, fmt::format("{} at column {}, row {}", *bad, pixel % evidence.size.width, pixel / evidence.size.width));
+        fail(validation, fmt::format("{} at column {}, row {}", *bad, pixel % evidence.size.width,
+                                     pixel / evidence.size.width));
     }
     if (evidence.film.samples && *evidence.film.samples != validation.samples)
-        fail(validation, fmt::format("{} samples counted, {} asked for", *evidence.film.samples, validation.samples));
+        fail(validation,
+             fmt::format("{} samples counted, {} asked for", *evidence.film.samples, validation.samples));
     if (validation.segments_per_sample < 1 || validation.segments_per_sample > evidence.path_length)
         fail(validation, fmt::format("{:.3f} segments a sample, between 1 and {} are possible",
                                      validation.segments_per_sample, evidence.path_length));

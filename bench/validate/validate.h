@@ -14,8 +14,8 @@ inline constexpr Size validation_size{128, 128};
 
 /// One family of block tests rejects a right image with this probability.
 inline constexpr double family_alpha = 0.001;
-/// Blocks hold at least as many samples, and grow until nine in ten are worth as many hits of the light; only means near
-/// enough to Gaussian are tested.
+/// Blocks hold at least as many samples, and grow until nine in ten are worth as many hits of the light; only
+/// means near enough to Gaussian are tested.
 inline constexpr std::uint64_t block_samples = 60'000;
 inline constexpr double block_hits = 100;
 
@@ -27,22 +27,24 @@ struct Evidence {
     int path_length = 1;
 };
 
-/// Checks what needs no reference: every value finite and not negative, no sample lost or made up, between one and
-/// path_length segments a sample.
+/// Checks what needs no reference: every value finite and not negative, no sample lost or made up, between
+/// one and path_length segments a sample.
 Validation check_film(const Evidence& evidence);
 
-/// Adds the tests against a reference of the same scene, kernel and path length, same or different size: pixel blocks
-/// (same size only), image mean within 4 combined standard errors, segments per sample and the share of full-length
-/// paths within 4.
+/// Adds the tests against a reference of the same scene, kernel and path length, same or different size:
+/// pixel blocks (same size only), image mean within 4 combined standard errors, segments per sample and the
+/// share of full-length paths within 4.
 void check_against(Validation& validation, const Evidence& evidence, const Reference& reference);
 
-/// Adds the tests that any timed render of the work must pass: image mean and segments within 5 standard errors.
+/// Adds the tests that any timed render of the work must pass: image mean and segments within 5 standard
+/// errors.
 void check_timed(Validation& validation, const Evidence& evidence, const Reference& reference);
 
 /// Two films of the same work must not differ in a bit; `what` says how they were made differently.
 void check_same_bits(Validation& validation, const Film& film, const Film& other, const std::string& what);
 
-/// Two-sided normal quantile at which a family of `tests` independent tests errs with probability `alpha` (Sidak).
+/// Two-sided normal quantile at which a family of `tests` independent tests errs with probability `alpha`
+/// (Sidak).
 double sidak_limit(double alpha, std::size_t tests);
 
 /// Notes a failed check; the first one is the record's reason.

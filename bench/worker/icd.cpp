@@ -37,11 +37,10 @@ std::vector<Icd> icds_of_folder(const fs::path& folder) {
 
 }  // namespace
 
-IcdEnvironment icd_environment() {
-    return {variable("OCL_ICD_VENDORS"), variable("OCL_ICD_FILENAMES")};
-}
+IcdEnvironment icd_environment() { return {variable("OCL_ICD_VENDORS"), variable("OCL_ICD_FILENAMES")}; }
 
 Icd icd_from_file(const std::string& file) {
+    if (file.empty()) return any_icd;
     if (fs::path(file).extension() == ".icd") return {file, text_of(file)};
     return {file, file};
 }
@@ -58,6 +57,7 @@ std::vector<Icd> find_icds(const IcdEnvironment& environment) {
 }
 
 IcdFolder::IcdFolder(const Icd& icd) {
+    if (icd == any_icd) return;
     std::string pattern = (fs::temp_directory_path() / "ptbench-icd-XXXXXX").string();
     if (::mkdtemp(pattern.data()) == nullptr) {
         throw std::runtime_error(fmt::format("cannot create a folder like {}", pattern));
@@ -71,7 +71,22 @@ IcdFolder::IcdFolder(const Icd& icd) {
 
 IcdFolder::~IcdFolder() {
     std::error_code ignored;
-    fs::remove_all(path_, ignored);
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+}
+
+std::map<std::string, std::string> IcdFolder::environment() const {
+    if (path_.empty()) return {};
+    return {{"OCL_ICD_VENDORS", path_.string()}, {"OCL_ICD_FILENAMES", ""}};
+}
+
+void see_only(const IcdFolder& folder) {
+    for (const auto& [name, value] : folder.environment()) {
+        if (value.empty()) {
+            ::unsetenv(name.c_str());
+        } else {
+            ::setenv(name.c_str(), value.c_str(), 1);
+        }
+    }
 }
 
 }  // namespace ptb

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ struct Icd {
     std::string library;  ///< the .icd file's text
     bool operator==(const Icd&) const = default;
 };
+
+/// Whatever the loader finds by itself.
+inline const Icd any_icd{};
 
 /// The environment's say in which drivers a loader sees.
 struct IcdEnvironment {
@@ -28,7 +32,7 @@ std::vector<Icd> find_icds(const IcdEnvironment& environment = icd_environment()
 Icd icd_from_file(const std::string& file);
 
 /// A private folder with one .icd file: with OCL_ICD_VENDORS pointing to it, a loader sees only that driver.
-/// Removed on destruction.
+/// None for `any_icd`. Removed on destruction.
 class IcdFolder {
   public:
     explicit IcdFolder(const Icd& icd);
@@ -37,8 +41,14 @@ class IcdFolder {
     IcdFolder& operator=(const IcdFolder&) = delete;
     const std::filesystem::path& path() const { return path_; }
 
+    /// What to set (or, when empty, unset) for a process that shall see only this driver.
+    std::map<std::string, std::string> environment() const;
+
   private:
     std::filesystem::path path_;
 };
+
+/// Lets this process see only that driver; to be called before OpenCL is.
+void see_only(const IcdFolder& folder);
 
 }  // namespace ptb

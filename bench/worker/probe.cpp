@@ -72,9 +72,7 @@ void exclude_if_known(DeviceInfo& device, const std::vector<DeviceInfo>& known) 
     }
 }
 
-std::string one_line(const Json& json) {
-    return dump_json(json) + "\n";
-}
+std::string one_line(const Json& json) { return dump_json(json) + "\n"; }
 
 }  // namespace
 
@@ -85,7 +83,7 @@ ChildCommand worker_command(const WorkerLaunch& launch, const IcdFolder& icd_fol
     command.argv.push_back(launch.executable);
     command.argv.push_back("worker");
     for (auto& argument : arguments) command.argv.push_back(std::move(argument));
-    command.environment = {{"OCL_ICD_VENDORS", icd_folder.path().string()}, {"OCL_ICD_FILENAMES", ""}};
+    command.environment = icd_folder.environment();
     return command;
 }
 
@@ -100,7 +98,7 @@ DeviceList probe(const std::vector<Icd>& icds, const WorkerLaunch& launch, milli
             by_icd.push_back(answer(*asked, deadline, patience));
             for (DeviceInfo& device : by_icd.back()) device.icd = asked->icd.file;
         } catch (const std::exception& error) {
-            list.broken.push_back({asked->icd.file, error.what()});
+            list.broken.push_back({asked->icd == any_icd ? "any driver" : asked->icd.file, error.what()});
         }
     }
     list.devices = join_devices(by_icd);
@@ -133,13 +131,9 @@ std::string local_key(const std::string& key) {
     return key.substr(0, at) + key.substr(colon);
 }
 
-std::string probe_line(const std::vector<DeviceInfo>& devices) {
-    return one_line({{"devices", devices}});
-}
+std::string probe_line(const std::vector<DeviceInfo>& devices) { return one_line({{"devices", devices}}); }
 
-std::string probe_error_line(const std::string& reason) {
-    return one_line({{"error", reason}});
-}
+std::string probe_error_line(const std::string& reason) { return one_line({{"error", reason}}); }
 
 std::vector<DeviceInfo> parse_probe_line(const std::string& line) {
     const auto json = Json::parse(line, nullptr, false);

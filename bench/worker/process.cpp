@@ -111,9 +111,7 @@ WorkerProcess::WorkerProcess(const ChildCommand& command) {
     impl_ = std::make_unique<Impl>(command);
 }
 
-WorkerProcess::~WorkerProcess() {
-    kill();
-}
+WorkerProcess::~WorkerProcess() { kill(); }
 
 bool WorkerProcess::write_line(const std::string& line) {
     boost::system::error_code error;
@@ -160,9 +158,7 @@ std::string WorkerProcess::ending() {
     return impl_->ending;
 }
 
-std::string WorkerProcess::stderr_tail() const {
-    return impl_->tail;
-}
+std::string WorkerProcess::stderr_tail() const { return impl_->tail; }
 
 void WorkerProcess::kill() {
     if (!impl_->ending.empty()) return;
@@ -173,9 +169,7 @@ void WorkerProcess::kill() {
     impl_->drain();
 }
 
-int WorkerProcess::pid() const {
-    return impl_->child.id();
-}
+int WorkerProcess::pid() const { return impl_->child.id(); }
 
 std::string last_line(const std::string& text) {
     const auto end = text.find_last_not_of(" \t\r\n");

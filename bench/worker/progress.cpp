@@ -72,6 +72,11 @@ std::string finished_line(std::size_t number, std::size_t total, const Record& r
     return headline(number, total, record.params) + "   " + outcome_text(record);
 }
 
+std::string coloured(const std::string& line, Status status) {
+    const bool harmless = status == Status::ok || status == Status::skipped || status == Status::unsupported;
+    return harmless ? line : "\033[31m" + line + "\033[0m";
+}
+
 Eta::Eta(const std::vector<Case>& cases, const Forecast& forecast) {
     for (const Case& c : cases) predicted_s_.push_back(forecast.case_s(c).value_or(0));
 }
@@ -89,9 +94,10 @@ double Eta::left_s(std::size_t next) const {
 }
 
 ProgressPrinter::ProgressPrinter(std::FILE* out, ProgressStyle style, const RunPlan& plan,
-                                 const Forecast& forecast, SecondsNow now_s)
+                                 const Forecast& forecast, bool colour, SecondsNow now_s)
     : out_(out),
       style_(style),
+      colour_(colour),
       total_(plan.cases.size()),
       eta_(plan.cases, forecast),
       budget_s_(plan.max_total_time_s),
@@ -111,8 +117,9 @@ void ProgressPrinter::progressed(std::size_t index, const Case& c, const Respons
 void ProgressPrinter::finished(std::size_t index, const Record& record) {
     if (record.status != Status::skipped) eta_.finished(index, now_s_() - case_start_s_);
     if (style_ == ProgressStyle::silent) return;
+    const std::string line = finished_line(index + 1, total_, record);
     fmt::print(out_, "{}{}\n", style_ == ProgressStyle::live ? "\r\033[K" : "",
-               finished_line(index + 1, total_, record));
+               colour_ ? coloured(line, record.status) : line);
     std::fflush(out_);
 }
 

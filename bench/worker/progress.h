@@ -46,11 +46,14 @@ class Eta {
 
 enum class ProgressStyle { silent, lines, live };
 
+/// `line` in red when the case failed.
+std::string coloured(const std::string& line, Status status);
+
 /// Writes progress to a stream: one line kept up to date on a terminal, else a line for each finished case.
 class ProgressPrinter : public RunObserver {
   public:
     ProgressPrinter(std::FILE* out, ProgressStyle style, const RunPlan& plan, const Forecast& forecast,
-                    SecondsNow now_s = steady_seconds);
+                    bool colour = false, SecondsNow now_s = steady_seconds);
     void started(std::size_t index, const Case& c) override;
     void progressed(std::size_t index, const Case& c, const Response& response) override;
     void finished(std::size_t index, const Record& record) override;
@@ -61,6 +64,7 @@ class ProgressPrinter : public RunObserver {
 
     std::FILE* out_;
     ProgressStyle style_;
+    bool colour_;
     std::size_t total_;
     Eta eta_;
     double budget_s_;

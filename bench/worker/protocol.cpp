@@ -20,12 +20,8 @@ Kind parse_kind(const Json& json, const Where& where, const char* const (&words)
 
 }  // namespace
 
-Json encode(Request::Kind kind) {
-    return request_kinds[static_cast<std::size_t>(kind)];
-}
-Json encode(Response::Kind kind) {
-    return response_kinds[static_cast<std::size_t>(kind)];
-}
+Json encode(Request::Kind kind) { return request_kinds[static_cast<std::size_t>(kind)]; }
+Json encode(Response::Kind kind) { return response_kinds[static_cast<std::size_t>(kind)]; }
 void decode(const Json& json, const Where& where, Request::Kind& kind) {
     kind = parse_kind<Request::Kind>(json, where, request_kinds);
 }
@@ -66,9 +62,7 @@ std::string to_line(const Request& request) {
     return dump_json(json) + "\n";
 }
 
-std::string to_line(const Response& response) {
-    return dump_json(encode(response)) + "\n";
-}
+std::string to_line(const Response& response) { return dump_json(encode(response)) + "\n"; }
 
 Request parse_request(const std::string& line) {
     const auto request = parse_message<Request>(line);

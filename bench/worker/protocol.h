@@ -16,25 +16,26 @@ struct Request {
     enum class Kind { open, estimate, run };
     Kind kind = Kind::open;
     int protocol = protocol_version;
-    MeasureOptions measure;                  ///< open
-    Case params;                             ///< estimate, run
-    std::optional<double> time_left_s;       ///< run: what is left of the budget
-    std::string image_file;                  ///< run: write the case's picture here, or empty
+    MeasureOptions measure;             ///< open
+    Case params;                        ///< estimate, run
+    std::optional<double> time_left_s;  ///< run: what is left of the budget
+    std::string image_file;             ///< run: write the case's picture here, or empty
     bool operator==(const Request&) const = default;
 };
 
-/// Worker to coordinator. `open` is answered by `ready` or `failed`; `estimate` by `estimate` or `failed`; `run`
-/// by any number of `progress` and one `record`. A worker that is alive sends progress at least once a pass.
+/// Worker to coordinator. `open` is answered by `ready` or `failed`; `estimate` by `estimate` or `failed`;
+/// `run` by any number of `progress` and one `record`. A worker that is alive sends progress at least once a
+/// pass.
 struct Response {
     enum class Kind { ready, estimate, progress, record, failed };
     Kind kind = Kind::ready;
     int protocol = protocol_version;
-    std::string tool_version;                ///< ready
-    double ns_per_sample = 0;                ///< estimate: device time per pixel sample
-    std::string stage;                       ///< progress: "build", "validate", "warmup", "sample"
-    double done = 0;                         ///< progress: share of the stage, 0 to 1
-    std::optional<Record> record;            ///< record
-    std::string reason;                      ///< failed
+    std::string tool_version;      ///< ready
+    double ns_per_sample = 0;      ///< estimate: device time per pixel sample
+    std::string stage;             ///< progress: "build", "validate", "warmup", "sample"
+    double done = 0;               ///< progress: share of the stage, 0 to 1
+    std::optional<Record> record;  ///< record
+    std::string reason;            ///< failed
     bool operator==(const Response&) const = default;
 };
 

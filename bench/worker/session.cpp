@@ -64,8 +64,9 @@ class DeviceSession : public Session {
         };
         Response response;
         response.kind = Response::Kind::record;
-        response.record = bench_->run(request.params, request.time_left_s.value_or(std::numeric_limits<double>::infinity()),
-                                      request.image_file, progress);
+        response.record =
+            bench_->run(request.params, request.time_left_s.value_or(std::numeric_limits<double>::infinity()),
+                        request.image_file, progress);
         return response;
     }
 

@@ -8,8 +8,8 @@
 
 namespace ptb {
 
-/// Answers requests for one device: the only part of `bench` that calls OpenCL (through `core`). Runs inside a
-/// worker process, or inside the coordinator under --no-isolate.
+/// Answers requests for one device: the only part of `bench` that calls OpenCL (through `core`). Runs inside
+/// a worker process, or inside the coordinator under --no-isolate.
 class Session {
   public:
     using Send = std::function<void(const Response&)>;

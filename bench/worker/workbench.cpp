@@ -10,8 +10,8 @@
 #include "bench/measure/statistics.h"
 #include "bench/measure/stop_rule.h"
 #include "bench/measure/timer.h"
-#include "bench/validate/validate.h"
 #include "bench/plan/scene_file.h"
+#include "bench/validate/validate.h"
 #include "core/image/image_io.h"
 #include "core/oracle/oracle.h"
 
@@ -20,6 +20,7 @@ namespace ptb {
 namespace {
 
 constexpr double validation_s = 15;  ///< a slow device validates on the samples that this time gives
+constexpr double long_sample_s = 3;  ///< a longer sample had its warm-up in the validation
 constexpr Size probe_size{128, 128};
 constexpr int probe_spp = 2;  ///< of the small renders that are compared by their bits
 
@@ -27,11 +28,13 @@ constexpr int probe_spp = 2;  ///< of the small renders that are compared by the
 int validation_spp(double ns_per_sample) {
     const double pixels = static_cast<double>(validation_size.pixels());
     const double by_time = validation_s * 1e9 / std::max(ns_per_sample, 1e-3);
-    return static_cast<int>(std::clamp(by_time, 4 * pixels, static_cast<double>(validation_samples)) / pixels);
+    return static_cast<int>(std::clamp(by_time, 4 * pixels, static_cast<double>(validation_samples)) /
+                            pixels);
 }
 
 bool refused_work_group(const ocl::Error& e) {
-    return e.code() == CL_INVALID_WORK_GROUP_SIZE || e.code() == CL_OUT_OF_RESOURCES || e.code() == CL_INVALID_WORK_ITEM_SIZE;
+    return e.code() == CL_INVALID_WORK_GROUP_SIZE || e.code() == CL_OUT_OF_RESOURCES ||
+           e.code() == CL_INVALID_WORK_ITEM_SIZE;
 }
 
 /// Reports passes under a stage's name.
@@ -42,8 +45,31 @@ Progress stage(const Workbench::Stage& progress, const std::string& name) {
     };
 }
 
-double headline_ns(const TimeSample& sample, bool host) {
-    return static_cast<double>(host ? sample.host_ns : sample.kernel_ns);
+/// Asked work that this device or kernel refuses; `what()` names the limit.
+struct Unsupported : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+Build describe_build(const BuiltKernel& kernel, const ocl::KernelFacts& facts) {
+    Build build;
+    build.options = kernel.program.options;
+    build.kernel_hash = kernel.program.kernel_hash;
+    build.overridden = kernel.program.overridden;
+    build.log = kernel.program.log;
+    build.build_ms = kernel.build_ms;
+    build.max_work_group = facts.max_work_group;
+    build.preferred_multiple = facts.preferred_multiple;
+    build.local_bytes = facts.local_bytes;
+    build.private_bytes = facts.private_bytes;
+    return build;
+}
+
+void conclude(Record& record, Status status, const std::string& reason) {
+    record.status = status;
+    record.reason = reason;
+    if (status == Status::ok) return;
+    record.samples.clear();
+    record.statistics.reset();
 }
 
 }  // namespace
@@ -57,7 +83,8 @@ struct Workbench::Job {
     std::string key() const { return fmt::format("{} {}", build_key(), work.path_length); }
 };
 
-Workbench::Workbench(const std::string& device_key, const MeasureOptions& options, std::filesystem::path data_folder)
+Workbench::Workbench(const std::string& device_key, const MeasureOptions& options,
+                     std::filesystem::path data_folder)
     : device_(ocl::open_device(device_key)), options_(options), data_folder_(std::move(data_folder)) {}
 
 const Scene& Workbench::scene(const std::string& name) {
@@ -69,10 +96,16 @@ const Scene& Workbench::scene(const std::string& name) {
 Workbench::Job Workbench::resolve(const Case& params) {
     Job job{params, &scene(params.scene), &integrator(params.kernel), {}};
     const auto& widths = job.kernel->lanes;
-    const bool has_default = std::find(widths.begin(), widths.end(), device_.info.default_lanes) != widths.end();
+    const bool has_default =
+        std::find(widths.begin(), widths.end(), device_.info.default_lanes) != widths.end();
     const int by_default = has_default ? device_.info.default_lanes : widths.front();
-    job.work = {params.size, params.spp, params.path_length, static_cast<std::uint32_t>(options_.seed),
-                params.lanes == 0 ? by_default : params.lanes, params.work_group.x, params.work_group.y};
+    job.work = {params.size,
+                params.spp,
+                params.path_length,
+                static_cast<std::uint32_t>(options_.seed),
+                params.lanes == 0 ? by_default : params.lanes,
+                params.work_group.x,
+                params.work_group.y};
     return job;
 }
 
@@ -85,7 +118,8 @@ BuiltKernel& Workbench::built(const Job& job) {
     if (found != built_.end()) return found->second;
     const KernelSource source = kernel_source(job.kernel->file, options_.kernel_dir);
     const std::int64_t begin = now_ns();
-    BuiltKernel fresh{ocl::build(device_, source, job.kernel->options(device_, *job.scene, job.work.lanes)), 0, 0};
+    BuiltKernel fresh{ocl::build(device_, source, job.kernel->options(device_, *job.scene, job.work.lanes)),
+                      0, 0};
     fresh.build_ms = seconds_since(begin) * 1e3;
     return built_[job.build_key()] = fresh;
 }
@@ -102,15 +136,18 @@ double Workbench::estimate(const Case& params) {
     PassCutter& cutter = cutters_[job.key()];
     std::int64_t ns = 0;
     for (int i = 0; i < 2; ++i) {  // the first render may compile
-        const TimedRender timed = timed_render(*render, cutter, device_.info.timer_resolution_ns, [](double) { return true; });
+        const TimedRender timed =
+            timed_render(*render, cutter, device_.info.timer_resolution_ns, [](double) { return true; });
         ns = timed.timer_fault.empty() ? timed.time.kernel_ns : timed.time.host_ns;
     }
-    return kernel.ns_per_sample = static_cast<double>(ns) / static_cast<double>(work.size.pixels() * probe_spp);
+    return kernel.ns_per_sample =
+               static_cast<double>(ns) / static_cast<double>(work.size.pixels() * probe_spp);
 }
 
 std::optional<Reference> Workbench::stored_reference(const Job& job) const {
-    return load_reference(data_folder_ / "results" / "references",
-                          reference_name(job.scene->name, job.params.kernel, validation_size, job.work.path_length));
+    return load_reference(
+        data_folder_ / "results" / "references",
+        reference_name(job.scene->name, job.params.kernel, validation_size, job.work.path_length));
 }
 
 /// A few samples of the host's own tracer, for work that has no stored reference.
@@ -129,9 +166,11 @@ Reference Workbench::host_reference(const Job& job) const {
     Reference reference;
     reference.size = work.size;
     reference.spp = work.spp;
-    reference.segments_per_sample = static_cast<double>(result.segments) / static_cast<double>(result.samples);
+    reference.segments_per_sample =
+        static_cast<double>(result.segments) / static_cast<double>(result.samples);
     reference.segments_variance = result.segments_variance;
-    reference.full_length_share = static_cast<double>(result.full_length_paths) / static_cast<double>(result.samples);
+    reference.full_length_share =
+        static_cast<double>(result.full_length_paths) / static_cast<double>(result.samples);
     reference.mean = std::move(result.mean);
     reference.variance = std::move(result.variance);
     return reference;
@@ -147,27 +186,36 @@ const Validation& Workbench::validated(const Job& job, const Stage& progress) {
     work.spp = validation_spp(estimate(job.params));
     if (!reference) work.spp = std::min(work.spp, 64);
     const auto render = make(job, work);
-    timed_render(*render, cutters_[job.key()], device_.info.timer_resolution_ns,
-                 stage(progress, "validate"));
+    timed_render(*render, cutters_[job.key()], device_.info.timer_resolution_ns, stage(progress, "validate"));
     const Film film = render->read_film();
     const Evidence evidence{film, work.size, work.spp, work.path_length};
     Validation validation = check_film(evidence);
-    if (reference) check_against(validation, evidence, *reference);
-    else check_timed(validation, evidence, host_reference(job));
-    validation.against = reference ? reference_name(job.scene->name, job.params.kernel, validation_size, work.path_length)
-                                   : "the host's tracer, a few samples (there is no stored reference)";
+    if (reference)
+        check_against(validation, evidence, *reference);
+    else
+        check_timed(validation, evidence, host_reference(job));
+    validation.against =
+        reference ? reference_name(job.scene->name, job.params.kernel, validation_size, work.path_length)
+                  : "the host's tracer, a few samples (there is no stored reference)";
     return validations_[job.key()] = validation;
 }
 
-/// The same small work twice, once as the case launches it and in other passes, must give the same bits. Takes the
-/// first launch of this work-group size, which may compile.
+/// The same small work twice, once as the case launches it and in other passes, must give the same bits.
+/// Takes the first launch of this work-group size, which may compile.
 void Workbench::check_work_group(const Job& job, Record& record) {
     RenderJob work = job.work;
     work.size = probe_size;
     work.spp = probe_spp;
     const auto launched = make(job, work);
     const std::int64_t begin = now_ns();
-    launched->advance(work.size.pixels());
+    try {
+        launched->advance(work.size.pixels());
+    } catch (const ocl::Error& e) {
+        if (job.params.work_group.implicit() || !refused_work_group(e)) throw;
+        throw Unsupported(fmt::format("work_group {}: this kernel allows {} work-items here ({})",
+                                      to_string(job.params.work_group), record.build->max_work_group,
+                                      ocl::error_name(e.code())));
+    }
     record.build->first_launch_ns = now_ns() - begin;
     launched->restart();
     while (launched->samples_left() > 0) launched->advance(5000);
@@ -178,135 +226,122 @@ void Workbench::check_work_group(const Job& job, Record& record) {
                     "work-group " + to_string(job.params.work_group));
 }
 
-void Workbench::measure(const Job& job, double time_left_s, const std::string& image_file, const Stage& progress,
-                        Record& record) {
+/// Times the case's own work: warm-up, then samples until the rule says stop. Leaves the last sample's film
+/// in `render`.
+Workbench::Measurement Workbench::take_samples(const Job& job, Render& render, double time_left_s,
+                                               const Stage& progress, Record& record) {
+    PassCutter& cutter = cutters_[job.key()];
+    const auto sample = [&](const char* name) {
+        return timed_render(render, cutter, device_.info.timer_resolution_ns, stage(progress, name));
+    };
+    const double predicted_s = estimate(job.params) * static_cast<double>(record.work->samples) * 1e-9;
+    const bool warm = predicted_s > long_sample_s;
+    for (int i = 0; i < options_.warmup && !warm; ++i) sample("warmup");
+
+    const FixedSamples rule{options_.samples, options_.max_time_s, time_left_s};
+    Measurement result;
+    Measured measured;
+    const std::int64_t begin = now_ns();
+    while ((result.stop_reason = rule.stop(measured)).empty()) {
+        const TimedRender timed = sample("sample");
+        if (timer_fault_.empty()) timer_fault_ = timed.timer_fault;
+        result.disagreeing += clocks_disagree(timed.covered_ns, timed.time.host_ns) ? 1 : 0;
+        record.samples.push_back(timed.time);
+        record.work->passes = timed.passes;
+        record.work->longest_launch_ns = std::max(record.work->longest_launch_ns, timed.longest_launch_ns);
+        measured = {measured.samples + 1, seconds_since(begin),
+                    static_cast<double>(timed.time.host_ns) * 1e-9};
+    }
+    if (timer_fault_.empty() && 2 * result.disagreeing > measured.samples)
+        timer_fault_ = fmt::format("the events miss over a sixth of the host's time in {} of {} samples",
+                                   result.disagreeing, measured.samples);
+    return result;
+}
+
+/// Describes the samples by the clock that can be believed.
+Statistics Workbench::summarize(const Record& record, const std::string& stop_reason) const {
+    const bool host = options_.timer == "host" || (options_.timer == "auto" && !timer_fault_.empty());
+    std::vector<double> times;
+    for (const TimeSample& sample : record.samples)
+        times.push_back(static_cast<double>(host ? sample.host_ns : sample.kernel_ns));
+    Statistics statistics = describe_times(times);
+    statistics.timer = host ? "host" : "event";
+    statistics.timer_reason = !host ? "" : options_.timer == "host" ? "asked for" : timer_fault_;
+    const bool low_n = statistics.n < enough_samples && stop_reason != "samples";
+    statistics.stop_reason = low_n ? "low_n" : stop_reason;
+    statistics.msamples_per_s = static_cast<double>(record.work->samples) / statistics.median_ns * 1e3;
+    statistics.msegments_per_s = static_cast<double>(record.work->segments) / statistics.median_ns * 1e3;
+    return statistics;
+}
+
+/// The timed render's own picture must pass what any picture of this work must.
+void Workbench::check_film_of(const Job& job, const Film& film, Validation& validation) const {
+    const Evidence evidence{film, job.work.size, job.work.spp, job.work.path_length};
+    Validation own = check_film(evidence);
+    if (const auto reference = stored_reference(job)) check_timed(own, evidence, *reference);
+    validation.checks.emplace_back("timed image");
+    if (!own.valid) fail(validation, "the timed image: " + own.reason);
+}
+
+void Workbench::measure(const Job& job, double time_left_s, const std::string& image_file,
+                        const Stage& progress, Record& record) {
     const std::int64_t uploading = now_ns();
     const auto render = make(job, job.work);
     record.build->upload_ms = seconds_since(uploading) * 1e3;
-    PassCutter& cutter = cutters_[job.key()];
-    const double work_samples = static_cast<double>(job.work.size.pixels()) * job.work.spp;
-    const double predicted_s = estimate(job.params) * work_samples * 1e-9;
-    const bool warm = predicted_s > 3;  // a long sample had its warm-up in the validation
-    for (int i = 0; i < options_.warmup && !warm; ++i)
-        timed_render(*render, cutter, device_.info.timer_resolution_ns, stage(progress, "warmup"));
-
-    const FixedSamples rule{options_.samples, options_.max_time_s, time_left_s};
-    Measured measured;
-    Work work;
-    int disagreeing = 0;
-    const std::int64_t begin = now_ns();
-    std::string stop;
-    while ((stop = rule.stop(measured)).empty()) {
-        const TimedRender timed = timed_render(*render, cutter, device_.info.timer_resolution_ns,
-                                               stage(progress, "sample"));
-        if (timer_fault_.empty()) timer_fault_ = timed.timer_fault;
-        disagreeing += clocks_disagree(timed.covered_ns, timed.time.host_ns) ? 1 : 0;
-        record.samples.push_back(timed.time);
-        work.passes = timed.passes;
-        work.longest_launch_ns = std::max(work.longest_launch_ns, timed.longest_launch_ns);
-        measured = {measured.samples + 1, seconds_since(begin), static_cast<double>(timed.time.host_ns) * 1e-9};
-    }
-
-    if (timer_fault_.empty() && 2 * disagreeing > measured.samples)
-        timer_fault_ = fmt::format("the events miss over a sixth of the host's time in {} of {} samples", disagreeing,
-                                   measured.samples);
+    record.work = Work{};
+    record.work->samples = job.work.size.pixels() * static_cast<std::uint64_t>(job.work.spp);
+    record.work->lanes = job.work.lanes;
+    record.work->device_bytes = render->device_bytes();
+    const Measurement measurement = take_samples(job, *render, time_left_s, progress, record);
 
     const std::int64_t reading = now_ns();
     const Film film = render->read_film();
     record.build->readback_ms = seconds_since(reading) * 1e3;
-    work.samples = static_cast<std::uint64_t>(work_samples);
-    work.segments = film.segments;
-    work.full_length_paths = film.full_length_paths.value_or(0);
-    work.lanes = job.work.lanes;
-    work.device_bytes = render->device_bytes();
-    record.work = work;
-
-    Validation& verdict = *record.validation;
-    const Evidence evidence{film, job.work.size, job.work.spp, job.work.path_length};
-    const Validation own = check_film(evidence);
-    if (!own.valid) fail(verdict, own.reason);
-    if (const auto reference = stored_reference(job)) {
-        Validation timed = own;
-        check_timed(timed, evidence, *reference);
-        if (!timed.valid) fail(verdict, "the timed image: " + timed.reason);
-    }
+    record.work->segments = film.segments;
+    record.work->full_length_paths = film.full_length_paths.value_or(0);
+    check_film_of(job, film, *record.validation);
+    record.statistics = summarize(record, measurement.stop_reason);
     if (!image_file.empty()) write_image(image_file, film.mean);
-
-    const bool host = options_.timer == "host" || (options_.timer == "auto" && !timer_fault_.empty());
-    std::vector<double> times;
-    for (const TimeSample& sample : record.samples) times.push_back(headline_ns(sample, host));
-    Statistics statistics = describe_times(times);
-    statistics.timer = host ? "host" : "event";
-    statistics.timer_reason = !host ? "" : options_.timer == "host" ? "asked for" : timer_fault_;
-    statistics.stop_reason = statistics.n < enough_samples && stop != "samples" ? "low_n" : stop;
-    if (statistics.median_ns > 0) {
-        statistics.msamples_per_s = work_samples / statistics.median_ns * 1e3;
-        statistics.msegments_per_s = static_cast<double>(film.segments) / statistics.median_ns * 1e3;
-    }
-    record.statistics = statistics;
 }
 
-Record Workbench::run(const Case& params, double time_left_s, const std::string& image_file, const Stage& progress) {
+void Workbench::attempt(const Job& job, double time_left_s, const std::string& image_file,
+                        const Stage& progress, Record& record) {
+    const std::string unsupported = unsupported_reason(*job.kernel, device_, *job.scene, job.work);
+    if (!unsupported.empty()) throw Unsupported(unsupported);
+    progress("build", 0);
+    RenderJob one_pixel = job.work;
+    one_pixel.size = {1, 1};
+    one_pixel.spp = 1;
+    const BuiltKernel& kernel = built(job);
+    record.build = describe_build(kernel, make(job, one_pixel)->facts());
+    record.validation = validated(job, progress);
+    if (record.validation->valid) check_work_group(job, record);
+    if (record.validation->valid && !options_.skip_time)
+        measure(job, time_left_s, image_file, progress, record);
+    if (record.validation->valid)
+        conclude(record, Status::ok, "");
+    else
+        conclude(record, Status::invalid, record.validation->reason);
+}
+
+Record Workbench::run(const Case& params, double time_left_s, const std::string& image_file,
+                      const Stage& progress) {
     Record record;
     record.params = params;
-    std::optional<std::uint64_t> allowed;  // by the kernel, once that is known
-    bool first_launch = false;
-    const auto end = [&](Status status, const std::string& reason) {
-        record.status = status;
-        record.reason = reason;
-        if (status != Status::ok) {
-            record.samples.clear();
-            record.statistics.reset();
-        }
-        return record;
-    };
     try {
-        const Job job = resolve(params);
-        const std::string unsupported = unsupported_reason(*job.kernel, device_, *job.scene, job.work);
-        if (!unsupported.empty()) return end(Status::unsupported, unsupported);
-        progress("build", 0);
-        const BuiltKernel& kernel = built(job);
-        const ocl::Program& program = kernel.program;
-        record.build = Build{};
-        record.build->options = program.options;
-        record.build->kernel_hash = program.kernel_hash;
-        record.build->overridden = program.overridden;
-        record.build->log = program.log;
-        record.build->build_ms = kernel.build_ms;
-        RenderJob small = job.work;
-        small.size = {1, 1};
-        small.spp = 1;
-        const ocl::KernelFacts facts = make(job, small)->facts();
-        record.build->max_work_group = facts.max_work_group;
-        record.build->preferred_multiple = facts.preferred_multiple;
-        record.build->local_bytes = facts.local_bytes;
-        record.build->private_bytes = facts.private_bytes;
-        allowed = facts.max_work_group;
-
-        record.validation = validated(job, progress);
-        if (!record.validation->valid) return end(Status::invalid, record.validation->reason);
-        first_launch = true;
-        check_work_group(job, record);
-        first_launch = false;
-        if (!record.validation->valid) return end(Status::invalid, record.validation->reason);
-        if (options_.skip_time) return end(Status::ok, "");
-        measure(job, time_left_s, image_file, progress, record);
-        if (!record.validation->valid) return end(Status::invalid, record.validation->reason);
-        return end(Status::ok, "");
+        attempt(resolve(params), time_left_s, image_file, progress, record);
+    } catch (const Unsupported& e) {
+        conclude(record, Status::unsupported, e.what());
     } catch (const ocl::BuildError& e) {
         record.build = Build{};
         record.build->log = e.log();
-        return end(Status::compile, e.what());
+        conclude(record, Status::compile, e.what());
     } catch (const SourceError& e) {
-        return end(Status::compile, e.what());
-    } catch (const ocl::Error& e) {
-        if (first_launch && !params.work_group.implicit() && refused_work_group(e))
-            return end(Status::unsupported, fmt::format("work_group {}: this kernel allows {} work-items here ({})",
-                                                        to_string(params.work_group), *allowed, ocl::error_name(e.code())));
-        return end(Status::runtime, e.what());
+        conclude(record, Status::compile, e.what());
     } catch (const std::exception& e) {
-        return end(Status::runtime, e.what());
+        conclude(record, Status::runtime, e.what());
     }
+    return record;
 }
 
 }  // namespace ptb

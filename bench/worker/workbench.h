@@ -14,8 +14,8 @@
 
 namespace ptb {
 
-/// A kernel built for one device, and what is known of it. Shared by all cases that differ only in size, spp or
-/// work-group.
+/// A kernel built for one device, and what is known of it. Shared by all cases that differ only in size, spp
+/// or work-group.
 struct BuiltKernel {
     ocl::Program program;
     double build_ms = 0;
@@ -25,14 +25,15 @@ struct BuiltKernel {
 /// One device with the kernels built and the verdicts reached on it so far.
 class Workbench {
   public:
-    /// Told how far a case has come: stage "build", "validate", "warmup" or "sample", and the share of it done.
+    /// Told how far a case has come: stage "build", "validate", "warmup" or "sample", and the share of it
+    /// done.
     using Stage = std::function<void(const std::string& stage, double done)>;
 
-    Workbench(const std::string& device_key, const MeasureOptions& options, std::filesystem::path data_folder);
+    Workbench(const std::string& device_key, const MeasureOptions& options,
+              std::filesystem::path data_folder);
 
     /// Runs one case to its record. Never throws for what a device, driver or kernel does.
-    Record run(const Case& params, double time_left_s, const std::string& image_file,
-               const Stage& progress);
+    Record run(const Case& params, double time_left_s, const std::string& image_file, const Stage& progress);
 
     /// Device time of one pixel sample of this case, ns. Throws what goes wrong.
     double estimate(const Case& params);
@@ -41,6 +42,10 @@ class Workbench {
 
   private:
     struct Job;  ///< a case resolved: scene, integrator, RenderJob
+    struct Measurement {
+        std::string stop_reason;
+        int disagreeing = 0;  ///< samples in which the two clocks disagree
+    };
 
     Job resolve(const Case& params);
     const Scene& scene(const std::string& name);
@@ -48,7 +53,14 @@ class Workbench {
     std::unique_ptr<Render> make(const Job& job, const RenderJob& work);
     const Validation& validated(const Job& job, const Stage& progress);
     void check_work_group(const Job& job, Record& record);
-    void measure(const Job& job, double time_left_s, const std::string& image_file, const Stage& progress, Record& record);
+    void attempt(const Job& job, double time_left_s, const std::string& image_file, const Stage& progress,
+                 Record& record);
+    void measure(const Job& job, double time_left_s, const std::string& image_file, const Stage& progress,
+                 Record& record);
+    Measurement take_samples(const Job& job, Render& render, double time_left_s, const Stage& progress,
+                             Record& record);
+    Statistics summarize(const Record& record, const std::string& stop_reason) const;
+    void check_film_of(const Job& job, const Film& film, Validation& validation) const;
     std::optional<Reference> stored_reference(const Job& job) const;
     Reference host_reference(const Job& job) const;
 

@@ -11,19 +11,21 @@ namespace ptb {
 
 namespace {
 
-/// Of the kernel that adds tallies to the film. Fixed, since PoCL compiles once a size; every device allows 32.
+/// Of the kernel that adds tallies to the film. Fixed, since PoCL compiles once a size; every device
+/// allows 32.
 constexpr int add_work_group = 32;
 
 /// How one device is kept busy.
 struct Shape {
-    std::uint64_t items;             ///< work-items of a launch; they share one queue of units
-    std::uint64_t max_units;         ///< of one launch: bounds the memory of their tallies
-    std::uint64_t units_per_lane;    ///< a lane takes no more
-    std::uint32_t samples_per_unit;  ///< the image depends on it, so on nothing but device, lanes, size and spp
+    std::uint64_t items;           ///< work-items of a launch; they share one queue of units
+    std::uint64_t max_units;       ///< of one launch: bounds the memory of their tallies
+    std::uint64_t units_per_lane;  ///< a lane takes no more
+    std::uint32_t
+        samples_per_unit;  ///< the image depends on it, so on nothing but device, lanes, size and spp
 };
 
-/// A GPU wants all its resident lanes busy, and two dozen units each, or the last ones to finish keep it waiting. A CPU's
-/// thread takes units for as long as there are any, so a few items a core are enough.
+/// A GPU wants all its resident lanes busy, and two dozen units each, or the last ones to finish keep it
+/// waiting. A CPU's thread takes units for as long as there are any, so a few items a core are enough.
 Shape shape_of(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     const auto cores = static_cast<std::uint64_t>(std::max(device.info.compute_units, 1));
     const std::uint64_t paths = paths_per_item(device, scene, job.path_length);
@@ -78,8 +80,10 @@ class PtRender : public Render {
     }
 
     std::uint64_t samples_left() const override {
-        const std::uint64_t done_before = std::min<std::uint64_t>(std::uint64_t{run_} * shape_.samples_per_unit, launch_.spp);
-        const std::uint64_t in_run = std::min<std::uint64_t>(shape_.samples_per_unit, launch_.spp - done_before);
+        const std::uint64_t done_before =
+            std::min<std::uint64_t>(std::uint64_t{run_} * shape_.samples_per_unit, launch_.spp);
+        const std::uint64_t in_run =
+            std::min<std::uint64_t>(shape_.samples_per_unit, launch_.spp - done_before);
         return pixels_ * (launch_.spp - done_before) - pixel_ * in_run;
     }
 
@@ -98,12 +102,14 @@ class PtRender : public Render {
             render_.setArg(3, surfaces_);
             render_.setArg(4, sides_);
             render_.setArg(5, launch_);
-            device_.queue.enqueueNDRangeKernel(render_, cl::NullRange, ranges.global, ranges.local, nullptr, &events[0]);
+            device_.queue.enqueueNDRangeKernel(render_, cl::NullRange, ranges.global, ranges.local, nullptr,
+                                               &events[0]);
             add_.setArg(0, film_);
             add_.setArg(1, tallies_);
             add_.setArg(2, launch_);
             const Ranges pixels = one_dimensional(launch_.pixels, add_work_group);
-            device_.queue.enqueueNDRangeKernel(add_, cl::NullRange, pixels.global, pixels.local, nullptr, &events[1]);
+            device_.queue.enqueueNDRangeKernel(add_, cl::NullRange, pixels.global, pixels.local, nullptr,
+                                               &events[1]);
             device_.queue.finish();
         });
         step_on();
@@ -139,7 +145,8 @@ class PtRender : public Render {
     template <class Row>
     cl::Buffer upload(const std::vector<Row>& rows) const {
         std::vector<Row> copy = rows;
-        return {device_.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, copy.size() * sizeof(Row), copy.data()};
+        return {device_.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, copy.size() * sizeof(Row),
+                copy.data()};
     }
 
     static void store_pixel(const PtTally& tally, float* mean, float* variance) {
@@ -184,7 +191,8 @@ class PtRender : public Render {
 std::string options(const ocl::Device& device, const Scene& scene, int lanes) {
     const PtScene pt_scene = make_pt_scene(scene);
     const std::size_t bytes = pt_scene.surfaces.size() * (sizeof(PtSurface) + sizeof(PtSphere));
-    std::string text = fmt::format("-cl-std=CL1.2 -DPTB_LANES={} -DPT_SIDE_WORDS={}", lanes, pt_scene.camera_sides.size());
+    std::string text =
+        fmt::format("-cl-std=CL1.2 -DPTB_LANES={} -DPT_SIDE_WORDS={}", lanes, pt_scene.camera_sides.size());
     if (bytes > device.info.constant_bytes) text += " -DPT_SCENE_SPACE=__global";
     if (pt_scene.surfaces.size() <= 16) text += " -DPT_FEW_SPHERES";
     return text;
@@ -192,11 +200,13 @@ std::string options(const ocl::Device& device, const Scene& scene, int lanes) {
 
 Integrator::Memory memory(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     const Shape shape = shape_of(device, scene, job);
-    const std::uint64_t units = job.size.pixels() * ((static_cast<std::uint32_t>(job.spp) + shape.samples_per_unit - 1) /
-                                                     shape.samples_per_unit);
+    const std::uint64_t units =
+        job.size.pixels() *
+        ((static_cast<std::uint32_t>(job.spp) + shape.samples_per_unit - 1) / shape.samples_per_unit);
     const std::uint64_t film = job.size.pixels() * sizeof(PtTally);
     const std::uint64_t tallies = std::min(shape.max_units, units) * sizeof(PtTally);
-    return {film + tallies + scene.spheres.size() * (sizeof(PtSphere) + sizeof(PtSurface)), std::max(film, tallies)};
+    return {film + tallies + scene.spheres.size() * (sizeof(PtSphere) + sizeof(PtSurface)),
+            std::max(film, tallies)};
 }
 
 std::unique_ptr<Render> make(const ocl::Device& device, const ocl::Program& program, const Scene& scene,
@@ -207,8 +217,11 @@ std::unique_ptr<Render> make(const ocl::Device& device, const ocl::Program& prog
 }  // namespace
 
 Integrator pt_integrator() {
-    return {"pt", "physically right path tracer: no next-event estimation, no roulette", "pt/pt.cl", {1, 4, 8, 16},
-            false, true, options, memory, make};
+    return {"pt",       "physically right path tracer: no next-event estimation, no roulette",
+            "pt/pt.cl", {1, 4, 8, 16},
+            false,      true,
+            options,    memory,
+            make};
 }
 
 }  // namespace ptb

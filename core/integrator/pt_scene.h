@@ -8,12 +8,14 @@
 
 namespace ptb {
 
-/// A scene in the order and shape that the kernel `pt` wants: opaque spheres that the camera is outside of first, then
-/// the two-sided ones (dielectrics, and whatever the camera is in), whose sides a path carries as bits.
+/// A scene in the order and shape that the kernel `pt` wants: opaque spheres that the camera is outside of
+/// first, then the two-sided ones (dielectrics, and whatever the camera is in), whose sides a path carries as
+/// bits.
 struct PtScene {
     std::vector<PtSphere> spheres;
     std::vector<PtSurface> surfaces;  ///< one a sphere
-    std::vector<std::uint32_t> camera_sides;  ///< bit j: the camera is inside two-sided sphere j; at least one word
+    std::vector<std::uint32_t>
+        camera_sides;  ///< bit j: the camera is inside two-sided sphere j; at least one word
     std::uint32_t opaque = 0, two_sided = 0;
 };
 

@@ -18,8 +18,8 @@ std::string memory_reason(const Integrator& integrator, const ocl::Device& devic
     const auto [total, largest] = integrator.memory(device, scene, job);
     const auto mib = [](std::uint64_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); };
     if (total > device.info.global_bytes)
-        return fmt::format("size {}x{} needs {:.0f} MiB of device memory, this device has {:.0f} MiB", job.size.width,
-                           job.size.height, mib(total), mib(device.info.global_bytes));
+        return fmt::format("size {}x{} needs {:.0f} MiB of device memory, this device has {:.0f} MiB",
+                           job.size.width, job.size.height, mib(total), mib(device.info.global_bytes));
     if (largest > device.info.max_alloc_bytes)
         return fmt::format("size {}x{} needs a buffer of {:.0f} MiB, this device allows {:.0f} MiB at once",
                            job.size.width, job.size.height, mib(largest), mib(device.info.max_alloc_bytes));
@@ -37,7 +37,8 @@ std::string work_group_reason(const Integrator& integrator, const DeviceInfo& in
         return fmt::format("work_group of {} work-items, this device allows {}", x * y, info.max_work_group);
     const auto& sizes = info.max_work_item_sizes;
     if ((!sizes.empty() && x > sizes[0]) || (sizes.size() > 1 && y > sizes[1]))
-        return fmt::format("work_group {}x{}, this device allows {} by dimension", x, y, fmt::join(sizes, "x"));
+        return fmt::format("work_group {}x{}, this device allows {} by dimension", x, y,
+                           fmt::join(sizes, "x"));
     return "";
 }
 
@@ -57,10 +58,11 @@ const Integrator& integrator(const std::string& id) {
 std::string unsupported_reason(const Integrator& integrator, const ocl::Device& device, const Scene& scene,
                                const RenderJob& job) {
     if (std::find(integrator.lanes.begin(), integrator.lanes.end(), job.lanes) == integrator.lanes.end())
-        return fmt::format("lanes {}: {} has {}", job.lanes, integrator.id, fmt::join(integrator.lanes, ", "));
+        return fmt::format("lanes {}: {} has {}", job.lanes, integrator.id,
+                           fmt::join(integrator.lanes, ", "));
     if (paths_per_item(device, scene, job.path_length) == 0)
-        return fmt::format("path_length {} with {} spheres: this device drops what loops do after {} turns", job.path_length,
-                           scene.spheres.size(), ocl::loop_limit(device.info));
+        return fmt::format("path_length {} with {} spheres: this device drops what loops do after {} turns",
+                           job.path_length, scene.spheres.size(), ocl::loop_limit(device.info));
     const std::string reason = work_group_reason(integrator, device.info, job);
     return reason.empty() ? memory_reason(integrator, device, scene, job) : reason;
 }

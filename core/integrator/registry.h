@@ -23,8 +23,8 @@ struct Integrator {
         std::uint64_t total = 0, largest = 0;
     };
     Memory (*memory)(const ocl::Device& device, const Scene& scene, const RenderJob& job);
-    std::unique_ptr<Render> (*make)(const ocl::Device& device, const ocl::Program& program, const Scene& scene,
-                                    const RenderJob& job);
+    std::unique_ptr<Render> (*make)(const ocl::Device& device, const ocl::Program& program,
+                                    const Scene& scene, const RenderJob& job);
 };
 
 /// Every integrator, the plain one first.

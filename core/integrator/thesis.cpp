@@ -31,8 +31,8 @@ std::vector<ThesisSphere> device_spheres(const Scene& scene) {
     return spheres;
 }
 
-/// A start of Park and Miller's generator in [1, 2^31 - 2], from a mixing hash (splitmix64, by S. Vigna), so that
-/// neighbours' streams are unrelated.
+/// A start of Park and Miller's generator in [1, 2^31 - 2], from a mixing hash (splitmix64, by S. Vigna), so
+/// that neighbours' streams are unrelated.
 std::int32_t start_state(std::uint64_t pixel, std::uint32_t seed) {
     std::uint64_t z = (static_cast<std::uint64_t>(seed) << 32 | pixel) + 0x9e3779b97f4a7c15u;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -43,8 +43,11 @@ std::int32_t start_state(std::uint64_t pixel, std::uint32_t seed) {
 
 class ThesisRender : public Render {
   public:
-    ThesisRender(const ocl::Device& device, const ocl::Program& program, const Scene& scene, const RenderJob& job)
-        : device_(device), job_(job), pixels_(job.size.pixels()),
+    ThesisRender(const ocl::Device& device, const ocl::Program& program, const Scene& scene,
+                 const RenderJob& job)
+        : device_(device),
+          job_(job),
+          pixels_(job.size.pixels()),
           samples_per_launch_(paths_per_item(device, scene, job.path_length)) {
         ocl::checked("thesis buffers", device_.info.name, [&] {
             kernel_ = cl::Kernel(program.program, "thesis_render");
@@ -67,7 +70,8 @@ class ThesisRender : public Render {
         for (std::size_t i = 0; i < pixels_; ++i) states[i] = start_state(i, job_.seed);
         ocl::checked("thesis restart", device_.info.name, [&] {
             device_.queue.enqueueFillBuffer(result_, ptb_float4{0, 0, 0, 0}, 0, pixels_ * sizeof(ptb_float4));
-            device_.queue.enqueueWriteBuffer(states_, CL_TRUE, 0, pixels_ * sizeof(std::int32_t), states.data());
+            device_.queue.enqueueWriteBuffer(states_, CL_TRUE, 0, pixels_ * sizeof(std::int32_t),
+                                             states.data());
             device_.queue.finish();
         });
         done_ = 0;
@@ -79,17 +83,19 @@ class ThesisRender : public Render {
 
     std::vector<LaunchTimes> advance(std::uint64_t samples) override {
         plan_launch(samples);
-        const Ranges ranges = job_.work_group_y == 0
-                                  ? one_dimensional(launch_.pixels, job_.work_group_x)
-                                  : two_dimensional(job_.size.width, static_cast<int>(launch_.pixels / launch_.width),
-                                                    job_.work_group_x, job_.work_group_y);
+        const Ranges ranges =
+            job_.work_group_y == 0
+                ? one_dimensional(launch_.pixels, job_.work_group_x)
+                : two_dimensional(job_.size.width, static_cast<int>(launch_.pixels / launch_.width),
+                                  job_.work_group_x, job_.work_group_y);
         cl::Event event;
         ocl::checked("thesis_render, " + describe(ranges), device_.info.name, [&] {
             kernel_.setArg(0, result_);
             kernel_.setArg(1, states_);
             kernel_.setArg(2, spheres_);
             kernel_.setArg(3, launch_);
-            device_.queue.enqueueNDRangeKernel(kernel_, cl::NullRange, ranges.global, ranges.local, nullptr, &event);
+            device_.queue.enqueueNDRangeKernel(kernel_, cl::NullRange, ranges.global, ranges.local, nullptr,
+                                               &event);
             device_.queue.finish();
         });
         done_ += static_cast<std::uint64_t>(launch_.pixels) * launch_.samples;
@@ -115,13 +121,15 @@ class ThesisRender : public Render {
 
     ocl::KernelFacts facts() const override { return kernel_facts(device_, kernel_); }
     std::uint64_t device_bytes() const override {
-        return pixels_ * (sizeof(ptb_float4) + sizeof(std::int32_t)) + launch_.sphere_count * sizeof(ThesisSphere);
+        return pixels_ * (sizeof(ptb_float4) + sizeof(std::int32_t)) +
+               launch_.sphere_count * sizeof(ThesisSphere);
     }
 
   private:
-    /// Whole images while the budget holds one, else a band: a power of two of rows, or of pixels where a row is too much
-    /// (one dimension only). So ranges come in few sizes, and a runtime that chooses the work-group by the range, or
-    /// compiles for it, does so seldom. A pixel's samples stay in order, so the cut changes nothing.
+    /// Whole images while the budget holds one, else a band: a power of two of rows, or of pixels where a row
+    /// is too much (one dimension only). So ranges come in few sizes, and a runtime that chooses the
+    /// work-group by the range, or compiles for it, does so seldom. A pixel's samples stay in order, so the
+    /// cut changes nothing.
     void plan_launch(std::uint64_t samples) {
         const std::uint64_t at = done_ % pixels_;
         const bool whole = at == 0 && samples >= pixels_;
@@ -135,7 +143,8 @@ class ThesisRender : public Render {
 
     std::uint64_t band(std::uint64_t pixels) const {
         const std::uint64_t width = launch_.width;
-        if (pixels < width && job_.work_group_y == 0) return std::bit_floor(std::max<std::uint64_t>(pixels, 1));
+        if (pixels < width && job_.work_group_y == 0)
+            return std::bit_floor(std::max<std::uint64_t>(pixels, 1));
         return width * std::bit_floor(std::max<std::uint64_t>(pixels / width, 1));
     }
 
@@ -158,7 +167,8 @@ std::string options(const ocl::Device&, const Scene&, int) { return "-cl-std=CL1
 
 Integrator::Memory memory(const ocl::Device&, const Scene& scene, const RenderJob& job) {
     const std::uint64_t film = job.size.pixels() * sizeof(ptb_float4);
-    return {film + job.size.pixels() * sizeof(std::int32_t) + scene.spheres.size() * sizeof(ThesisSphere), film};
+    return {film + job.size.pixels() * sizeof(std::int32_t) + scene.spheres.size() * sizeof(ThesisSphere),
+            film};
 }
 
 std::unique_ptr<Render> make(const ocl::Device& device, const ocl::Program& program, const Scene& scene,
@@ -169,8 +179,15 @@ std::unique_ptr<Render> make(const ocl::Device& device, const ocl::Program& prog
 }  // namespace
 
 Integrator thesis_integrator() {
-    return {"thesis", "the 2016 thesis' algorithm, its habits and defects kept: the throughput baseline",
-            "thesis/thesis.cl", {1}, true, false, options, memory, make};
+    return {"thesis",
+            "the 2016 thesis' algorithm, its habits and defects kept: the throughput baseline",
+            "thesis/thesis.cl",
+            {1},
+            true,
+            false,
+            options,
+            memory,
+            make};
 }
 
 }  // namespace ptb

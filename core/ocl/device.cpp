@@ -50,8 +50,10 @@ std::string platform_slug(const std::string& platform) {
         if (platform == name) return slug;
     std::string slug;
     for (const char c : platform) {
-        if (std::isalnum(static_cast<unsigned char>(c))) slug += static_cast<char>(std::tolower(c));
-        else if (!slug.empty() && slug.back() != '-') slug += '-';
+        if (std::isalnum(static_cast<unsigned char>(c)))
+            slug += static_cast<char>(std::tolower(c));
+        else if (!slug.empty() && slug.back() != '-')
+            slug += '-';
     }
     while (!slug.empty() && slug.back() == '-') slug.pop_back();
     return slug.empty() ? "unnamed" : slug;
@@ -61,15 +63,16 @@ std::string platform_slug(const std::string& platform) {
 std::string uuid_of(const cl::Device& device) {
     if (text(device, CL_DEVICE_EXTENSIONS).find("cl_khr_device_uuid") == std::string::npos) return "";
     std::array<unsigned char, 16> bytes{};
-    if (clGetDeviceInfo(device(), cl_device_uuid_khr, bytes.size(), bytes.data(), nullptr) != CL_SUCCESS) return "";
+    if (clGetDeviceInfo(device(), cl_device_uuid_khr, bytes.size(), bytes.data(), nullptr) != CL_SUCCESS)
+        return "";
     std::string hex;
     for (const unsigned char byte : bytes) hex += fmt::format("{:02x}", byte);
     return hex;
 }
 
-/// Rays a work-item should trace together: the SIMD width on CPUs, whose compilers keep a kernel with one ray a
-/// work-item scalar (PoCL) or lose most of its width (Intel). GPUs want 1, and so does Mesa's llvmpipe, which vectorises
-/// across work-items.
+/// Rays a work-item should trace together: the SIMD width on CPUs, whose compilers keep a kernel with one ray
+/// a work-item scalar (PoCL) or lose most of its width (Intel). GPUs want 1, and so does Mesa's llvmpipe,
+/// which vectorises across work-items.
 int default_lanes(const DeviceInfo& info) {
     if (info.type != "CPU" || info.platform == "rusticl") return 1;
     for (const int lanes : {16, 8, 4})
@@ -149,7 +152,8 @@ std::vector<DeviceInfo> query_devices() {
 }
 
 std::uint64_t loop_limit(const DeviceInfo& info) {
-    return info.name.find("llvmpipe") != std::string::npos ? 65535 : std::numeric_limits<std::uint64_t>::max();
+    return info.name.find("llvmpipe") != std::string::npos ? 65535
+                                                           : std::numeric_limits<std::uint64_t>::max();
 }
 
 Device open_device(const std::string& key) {
@@ -157,8 +161,10 @@ Device open_device(const std::string& key) {
         if (found.info.key != key) continue;
         return checked("profiling queue", found.info.name, [&] {
             const cl::Context context(found.device);
-            const cl_command_queue_properties properties = found.info.profiling ? CL_QUEUE_PROFILING_ENABLE : 0;
-            return Device{found.info, found.device, context, cl::CommandQueue(context, found.device, properties)};
+            const cl_command_queue_properties properties =
+                found.info.profiling ? CL_QUEUE_PROFILING_ENABLE : 0;
+            return Device{found.info, found.device, context,
+                          cl::CommandQueue(context, found.device, properties)};
         });
     }
     throw std::runtime_error(fmt::format("no device \"{}\" here; `ptbench list` shows what there is", key));

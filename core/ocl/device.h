@@ -17,15 +17,15 @@ struct Device {
     cl::CommandQueue queue;
 };
 
-/// The devices of every platform that this process' loader finds, in the loader's order. Empty when there is no
-/// platform at all. Throws Error when a platform answers nonsense.
+/// The devices of every platform that this process' loader finds, in the loader's order. Empty when there is
+/// no platform at all. Throws Error when a platform answers nonsense.
 std::vector<DeviceInfo> query_devices();
 
 /// Opens the device with this key. Throws Error, or std::runtime_error when no device has the key.
 Device open_device(const std::string& key);
 
-/// Turns that all loops of a work-item together may take on this device; more are silently dropped. Mesa's llvmpipe
-/// stops after 65535, which shows as missing samples; elsewhere there is no limit.
+/// Turns that all loops of a work-item together may take on this device; more are silently dropped. Mesa's
+/// llvmpipe stops after 65535, which shows as missing samples; elsewhere there is no limit.
 std::uint64_t loop_limit(const DeviceInfo& info);
 
 /// Runs `call`, turning the bindings' exceptions into Error with the arguments and the device's name.

@@ -8,7 +8,7 @@ namespace ptb {
 
 /// One OpenCL device, as far as a result's reader cares.
 struct DeviceInfo {
-    std::string key;  ///< "pocl:0": platform and index in it
+    std::string key;                           ///< "pocl:0": platform and index in it
     int platform_index = 0, device_index = 0;  ///< position in `ptbench list`
     std::string icd;                           ///< the .icd file it was found through
     std::string platform, platform_version;

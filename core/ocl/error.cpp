@@ -11,7 +11,8 @@ namespace ptb::ocl {
 
 namespace {
 
-#define PTB_CODE(name) std::pair<int, const char*>{name, #name}
+#define PTB_CODE(name) \
+    std::pair<int, const char*> { name, #name }
 constexpr std::array codes{
     PTB_CODE(CL_DEVICE_NOT_FOUND),
     PTB_CODE(CL_DEVICE_NOT_AVAILABLE),

@@ -17,7 +17,8 @@ struct Program {
     std::string log;  ///< the driver's, warnings included
 };
 
-/// Compiles and links. Throws BuildError with the driver's log when the text does not compile, Error otherwise.
+/// Compiles and links. Throws BuildError with the driver's log when the text does not compile, Error
+/// otherwise.
 Program build(const Device& device, const KernelSource& source, const std::string& options);
 
 /// What the driver says of a built kernel.

@@ -15,9 +15,7 @@ namespace {
 
 /// Cuts a number to 12 significant bits: far finer than a variance is known, and the file packs better. Zero
 /// stays zero, and nothing else becomes zero.
-float coarse(float value) {
-    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) & 0xfffff000U);
-}
+float coarse(float value) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) & 0xfffff000U); }
 
 Image coarse(Image image) {
     for (float& value : image.rgb) value = coarse(value);

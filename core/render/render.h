@@ -35,8 +35,9 @@ struct Film {
     std::optional<std::uint64_t> full_length_paths;
 };
 
-/// One scene being rendered on one device: buffers, kernels and how far it has come. Work is done in steps whose
-/// size the caller chooses (it knows the clock); the cut never changes the image. Methods throw ocl::Error.
+/// One scene being rendered on one device: buffers, kernels and how far it has come. Work is done in steps
+/// whose size the caller chooses (it knows the clock); the cut never changes the image. Methods throw
+/// ocl::Error.
 class Render {
   public:
     virtual ~Render() = default;
@@ -44,8 +45,8 @@ class Render {
     virtual void restart() = 0;
     /// Pixel samples not rendered yet.
     virtual std::uint64_t samples_left() const = 0;
-    /// Enqueues launches for about `samples` further pixel samples (at least the smallest piece), none of more than
-    /// that, waits for them and returns their events' times.
+    /// Enqueues launches for about `samples` further pixel samples (at least the smallest piece), none of
+    /// more than that, waits for them and returns their events' times.
     virtual std::vector<LaunchTimes> advance(std::uint64_t samples) = 0;
     /// The film so far; pixels without a sample are black.
     virtual Film read_film() = 0;
@@ -56,8 +57,9 @@ class Render {
 /// The four timestamps of finished events; zeros where the device does not profile.
 std::vector<LaunchTimes> times_of(const std::vector<cl::Event>& events, const ocl::Device& device);
 
-/// Paths of this length that one work-item may trace in one launch, at least: bounded where the device bounds loops (a
-/// segment turns once around its own loop and once for every sphere), 0 when it cannot trace even one.
+/// Paths of this length that one work-item may trace in one launch, at least: bounded where the device bounds
+/// loops (a segment turns once around its own loop and once for every sphere), 0 when it cannot trace even
+/// one.
 std::uint64_t paths_per_item(const ocl::Device& device, const Scene& scene, int path_length);
 
 /// Ranges for `items` work-items: global sizes are rounded up to whole work-groups.

@@ -21,8 +21,9 @@ struct SourceError : std::runtime_error {
 /// Names of the embedded kernel files, "pt/pt.cl", sorted.
 std::vector<std::string> embedded_files();
 
-/// The flattened text of `file` ("pt/pt.cl"). Each `#include "..."` is looked for in `override_folder` (when not
-/// empty), then among the embedded files. Throws SourceError when a file is nowhere, naming who includes it.
+/// The flattened text of `file` ("pt/pt.cl"). Each `#include "..."` is looked for in `override_folder` (when
+/// not empty), then among the embedded files. Throws SourceError when a file is nowhere, naming who includes
+/// it.
 KernelSource kernel_source(const std::string& file, const std::filesystem::path& override_folder = {});
 
 }  // namespace ptb

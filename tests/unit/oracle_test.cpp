@@ -91,9 +91,7 @@ void expect_every_pixel(const Image& image, const Vec3& value) {
     }
 }
 
-double geometric(double albedo, int terms) {
-    return (1 - std::pow(albedo, terms)) / (1 - albedo);
-}
+double geometric(double albedo, int terms) { return (1 - std::pow(albedo, terms)) / (1 - albedo); }
 
 TEST(TracePt, furnace_has_its_closed_form_at_every_length) {
     // Breaks when a bounce is lost, taken twice or weighted wrongly, or when a ray slips through a closed

@@ -11,9 +11,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-ChildCommand shell(const std::string& script) {
-    return {{"/bin/sh", "-c", script}, {}};
-}
+ChildCommand shell(const std::string& script) { return {{"/bin/sh", "-c", script}, {}}; }
 
 std::string first_line(WorkerProcess& process) {
     std::string line;
@@ -21,9 +19,7 @@ std::string first_line(WorkerProcess& process) {
     return line;
 }
 
-bool exists(int pid) {
-    return ::kill(pid, 0) == 0;
-}
+bool exists(int pid) { return ::kill(pid, 0) == 0; }
 
 bool ends_soon(int pid) {
     for (int i = 0; i < 100 && exists(pid); ++i) std::this_thread::sleep_for(milliseconds(20));

@@ -30,7 +30,7 @@ std::string printed(ProgressStyle style) {
     std::FILE* const out = ::fmemopen(text, sizeof text, "w");
     RunPlan plan;
     plan.cases = {make_case()};
-    ProgressPrinter printer(out, style, plan, Forecast(plan.measure), [] { return 0.0; });
+    ProgressPrinter printer(out, style, plan, Forecast(plan.measure), false, [] { return 0.0; });
     printer.started(0, plan.cases[0]);
     printer.finished(0, ok_record(412e6));
     std::fclose(out);
@@ -91,6 +91,12 @@ TEST(progress, only_a_terminal_gets_control_characters) {
     EXPECT_EQ(printed(ProgressStyle::silent), "");
     EXPECT_EQ(printed(ProgressStyle::lines), "[1/1] pocl:0  pt spp 100 16x16   412 ms\n");
     EXPECT_EQ(printed(ProgressStyle::live).substr(0, 1), "\r");
+}
+
+TEST(progress, only_what_failed_is_coloured) {
+    EXPECT_EQ(coloured("line", Status::ok), "line");
+    EXPECT_EQ(coloured("line", Status::skipped), "line");
+    EXPECT_EQ(coloured("line", Status::crash), "\033[31mline\033[0m");
 }
 
 TEST(forecast, a_case_takes_warmup_and_samples) {

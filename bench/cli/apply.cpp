@@ -1,0 +1,53 @@
+#include <cctype>
+
+#include "bench/cli/data_dir.h"
+#include "bench/cli/options.h"
+
+namespace ptb {
+namespace {
+
+void apply_axes(const RunFlags& flags, Config& config) {
+    for (const std::string& text : flags.axes) override_axis(config, parse_axis(text));
+    for (const auto& [axis, values] : flags.axis_values) override_axis(config, axis_of_values(axis, values));
+}
+
+void apply_devices(const RunFlags& flags, Config& config) {
+    if (!flags.devices.empty()) config.devices = flags.devices;
+    if (flags.all_devices) config.devices = {"all"};
+}
+
+template <class Value>
+void apply(const std::optional<Value>& flag, Value& value) {
+    if (flag) value = *flag;
+}
+
+void apply_measuring(const RunFlags& flags, Config& config) {
+    apply(flags.warmup, config.measure.warmup);
+    apply(flags.samples, config.measure.samples);
+    apply(flags.max_time_s, config.measure.max_time_s);
+    apply(flags.seed, config.measure.seed);
+    apply(flags.timeout_s, config.timeout_s);
+    apply(flags.max_total_time_s, config.max_total_time_s);
+    if (!flags.timer.empty()) config.measure.timer = flags.timer;
+    if (flags.skip_time) config.measure.skip_time = true;
+}
+
+}  // namespace
+
+Axis axis_of_values(const std::string& axis, const std::string& values) {
+    const bool range =
+        values.find(':') != std::string::npos && std::isdigit(static_cast<unsigned char>(values[0]));
+    const bool bare_list = !values.starts_with('[') && (range || values.find(',') != std::string::npos);
+    return parse_axis(axis + "=" + (bare_list ? "[" + values + "]" : values));
+}
+
+Config configured(const RunFlags& flags, const CommonFlags& common) {
+    Config config = load_config(flags.config, data_dir() / "configs");
+    apply_devices(flags, config);
+    apply_axes(flags, config);
+    apply_measuring(flags, config);
+    if (!common.kernel_dir.empty()) config.measure.kernel_dir = common.kernel_dir;
+    return config;
+}
+
+}  // namespace ptb

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <atomic>
+
+namespace ptb {
+
+/// From now on the first SIGINT or SIGTERM only sets the flag that is returned; the second ends the process
+/// at once with exit code 130.
+const std::atomic<bool>& watch_for_interruption();
+
+}  // namespace ptb

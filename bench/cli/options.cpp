@@ -1,0 +1,235 @@
+#include "bench/cli/options.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "bench/plan/nearest.h"
+#include "bench/version.h"
+
+namespace ptb {
+namespace {
+
+constexpr auto description =
+    "ptbench: how fast OpenCL devices trace light.\n"
+    "Without a command it runs a config; `ptbench run` is the same.\n";
+constexpr auto footer =
+    "Options of a run can also be set as PTBENCH_<OPTION>, e.g. PTBENCH_CONFIG=thesis.\n"
+    "Exit codes: 0 done, 1 a case failed, 2 usage, 4 a wrong image, 77 no OpenCL device, 130 interrupted.";
+
+/// Axis name and its flag, in the order of --help.
+struct AxisFlag {
+    const char *axis, *flag, *help;
+};
+constexpr AxisFlag axis_flags[] = {
+    {"kernel", "--kernel", "pt, thesis, ..."},
+    {"scene", "--scene", "name of a scene, or a scene file"},
+    {"size", "--size", "pixels: 1024 or 640x480"},
+    {"spp", "--spp", "samples per pixel: 10,100,1000"},
+    {"path_length", "--path-length", "most segments in a path"},
+    {"work_group", "--wg", "work-group: implicit, 64, 16x16"},
+    {"lanes", "--lanes", "rays traced together by a work-item: auto, 1, 4, 8, 16"},
+};
+
+std::string variable_of(std::string flag) {
+    flag = flag.substr(flag.rfind("--") + 2);
+    for (char& c : flag) c = c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return "PTBENCH_" + flag;
+}
+
+/// A finite number, at least `low`; CLI11's own checks let nan through.
+CLI::Validator at_least(double low, bool or_equal) {
+    const auto check = [low, or_equal](const std::string& text) -> std::string {
+        double value = std::nan("");
+        if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) &&
+            (value > low || (or_equal && value == low))) {
+            return {};
+        }
+        return fmt::format("\"{}\" is not a number {} {:g}", text, or_equal ? "of at least" : "above", low);
+    };
+    return {check, ""};
+}
+
+/// CLI11 wraps "-1" around to a large number.
+CLI::Validator whole_number() {
+    const auto check = [](const std::string& text) -> std::string {
+        const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+        return digits ? std::string() : fmt::format("\"{}\" is not a whole number", text);
+    };
+    return {check, ""};
+}
+
+template <class Value>
+CLI::Option* option(CLI::App& app, const std::string& flags, Value& value, const std::string& help) {
+    return app.add_option(flags, value, help)->envname(variable_of(flags));
+}
+
+/// A list fed by repeating the flag; brackets and commas in it are left alone.
+void list_option(CLI::App& app, const std::string& flags, std::vector<std::string>& values,
+                 const char* help) {
+    option(app, flags, values, help)
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->expected(1);
+}
+
+void add_axis_flags(CLI::App& app, std::map<std::string, std::string>& values, bool from_environment) {
+    for (const AxisFlag& each : axis_flags) {
+        const std::string axis = each.axis;
+        auto* const added = app.add_option_function<std::string>(
+            each.flag, [&values, axis](const std::string& text) { values[axis] = text; }, each.help);
+        added->type_name("VALUES")->group("Axes");
+        if (from_environment) added->envname(variable_of(each.flag));
+    }
+}
+
+void add_common(CLI::App& app, CommonFlags& flags) {
+    app.add_flag("-q,--quiet", flags.quiet, "no progress, no hints");
+    app.add_flag("-v,--verbose", flags.verbose, "also show excluded devices, broken drivers and build logs");
+    option(app, "--color", flags.color, "auto, always, never")
+        ->check(CLI::IsMember({"auto", "always", "never"}));
+    option(app, "--kernel-dir", flags.kernel_dir, "kernels from this folder instead of the embedded ones")
+        ->check(CLI::ExistingDirectory);
+    option(app, "--launcher", flags.launcher, "words before a worker's command: \"srun -w node7\"");
+}
+
+void add_measuring(CLI::App& app, RunFlags& flags) {
+    option(app, "-w,--warmup", flags.warmup, "untimed samples before the timed ones")
+        ->check(at_least(0, true));
+    option(app, "--samples", flags.samples, "timed samples of a case")->check(at_least(1, true));
+    option(app, "--max-time", flags.max_time_s, "no further sample of a case after these seconds")
+        ->check(at_least(0, false));
+    option(app, "--timeout", flags.timeout_s, "a worker silent for longer is killed, seconds")
+        ->check(at_least(0, false));
+    option(app, "--max-total-time", flags.max_total_time_s, "budget of the run in seconds, 0 for none")
+        ->check(at_least(0, true));
+    option(app, "--seed", flags.seed, "seed of the random numbers")->check(whole_number());
+    option(app, "--timer", flags.timer, "auto, event, host")->check(CLI::IsMember({"auto", "event", "host"}));
+    app.add_flag("--skip-time", flags.skip_time, "validate only");
+    app.add_flag("--no-isolate", flags.no_isolate, "measure in this process, for profilers and debuggers");
+}
+
+void add_outputs(CLI::App& app, RunFlags& flags) {
+    option(app, "--json", flags.json, "also write the result file here (- for stdout)");
+    option(app, "--csv", flags.csv, "also write CSV here (- for stdout)");
+    option(app, "--md", flags.md, "also write Markdown here (- for stdout)");
+    option(app, "--out", flags.out, "folder of all outputs [ptbench-results/TIME-CONFIG]");
+}
+
+void add_run(CLI::App& app, RunFlags& flags, bool& list) {
+    option(app, "--config", flags.config, "name or file of a config")->capture_default_str();
+    list_option(app, "-d,--device", flags.devices,
+                "all, cpu, gpu, accelerator, 0, 0:1, a key, /regex/; repeatable");
+    app.add_flag("--all-devices", flags.all_devices, "every device of this machine");
+    list_option(app, "-a,--axis", flags.axes,
+                "axis of the sweep: spp=[10,100], (spp,size)=[(10,64),(20,32)]; repeatable");
+    add_axis_flags(app, flags.axis_values, true);
+    add_measuring(app, flags);
+    add_outputs(app, flags);
+    app.add_flag("--dry-run", flags.dry_run, "print the plan with its predicted cost");
+    app.add_flag("--dump-config", flags.dump_config, "print the config and end");
+    app.add_flag("-l,--list", list, "same as `ptbench list`");
+}
+
+/// The command line's grammar, bound to `options`.
+struct Grammar {
+    CLI::App app{description, "ptbench"};
+    CLI::App *list, *render, *worker;
+    bool list_flag = false;
+
+    explicit Grammar(Options& options) {
+        app.footer(footer);
+        app.set_version_flag("--version", std::string("ptbench ") + version::tool);
+        app.allow_extras();
+        add_run(app, options.run, list_flag);
+        add_common(app, options.common);
+        list = app.add_subcommand("list", "devices, kernels, scenes and configs");
+        list->add_flag("--json", options.list.json, "as JSON");
+        add_common(*list, options.common);
+        add_render(options.render);
+        add_common(*render, options.common);
+        worker = app.add_subcommand("worker", "answer requests on stdin; started by ptbench itself");
+        worker->group("");
+        worker->add_option("--device", options.worker.device, "key of the device");
+        worker->add_flag("--probe", options.worker.probe, "print the devices and end");
+        for (auto* command : {list, render, worker}) command->allow_extras();
+    }
+
+    void add_render(RenderFlags& flags) {
+        render = app.add_subcommand("render", "make one picture");
+        render->add_option("-d,--device", flags.device, "one device [the first]");
+        render->add_option("-o,--output", flags.output, "file: .exr, .pfm, .png or .ppm");
+        render->add_option("--seed", flags.seed, "seed of the random numbers")
+            ->check(whole_number())
+            ->capture_default_str();
+        add_axis_flags(*render, flags.axis_values, false);
+    }
+
+    const CLI::App& used() const {
+        for (const auto* command : {list, render, worker}) {
+            if (command->parsed()) return *command;
+        }
+        return app;
+    }
+};
+
+std::vector<std::string> known_flags(const CLI::App& app) {
+    std::vector<std::string> flags;
+    for (const CLI::Option* each : app.get_options()) {
+        for (const auto& name : each->get_lnames()) flags.push_back("--" + name);
+        for (const auto& name : each->get_snames()) flags.push_back("-" + name);
+    }
+    return flags;
+}
+
+void refuse_leftovers(const Grammar& grammar) {
+    const auto left = grammar.app.remaining(true);
+    if (left.empty()) return;
+    const std::string word = left.front().substr(0, left.front().find('='));
+    if (word.starts_with("-")) {
+        throw UsageError(
+            fmt::format("unknown option {}{}", word, did_you_mean(word, known_flags(grammar.used()))));
+    }
+    throw UsageError(fmt::format("unknown command {}{}; commands: run, list, render", word,
+                                 did_you_mean(word, {"run", "list", "render"})));
+}
+
+Options::Command command_of(const Grammar& grammar) {
+    if (grammar.list->parsed() || grammar.list_flag) return Options::Command::list;
+    if (grammar.render->parsed()) return Options::Command::render;
+    return grammar.worker->parsed() ? Options::Command::worker : Options::Command::run;
+}
+
+std::string first_line_of(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+}  // namespace
+
+Options parse_options(std::vector<std::string> arguments) {
+    if (!arguments.empty() && arguments.front() == "run") arguments.erase(arguments.begin());
+    std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 takes a vector in
+    Options options;
+    Grammar grammar(options);
+    try {
+        grammar.app.parse(arguments);
+    } catch (const CLI::CallForHelp&) {
+        options.text = grammar.used().help();
+    } catch (const CLI::CallForVersion& version) {
+        options.text = std::string(version.what()) + "\n";
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(first_line_of(error.what()));
+    }
+    if (options.text.empty()) refuse_leftovers(grammar);
+    options.command = options.text.empty() ? command_of(grammar) : Options::Command::text;
+    return options;
+}
+
+std::vector<std::string> split_words(const std::string& text) {
+    return CLI::detail::split_up(text);
+}
+
+}  // namespace ptb

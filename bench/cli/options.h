@@ -1,0 +1,75 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/plan/config.h"
+
+namespace ptb {
+
+/// Flags that every command understands.
+struct CommonFlags {
+    bool quiet = false, verbose = false;
+    std::string color = "auto";  ///< "auto", "always" or "never"
+    std::string kernel_dir;
+    std::string launcher;  ///< words before a worker's command
+};
+
+/// Flags of `run`. What was not given stays empty, and the config decides.
+struct RunFlags {
+    std::vector<std::string> devices, axes;
+    bool all_devices = false;
+    std::map<std::string, std::string> axis_values;  ///< --spp, --wg, ...: axis name -> values
+    std::string config = "quick";
+    std::optional<int> warmup, samples;
+    std::optional<double> max_time_s, timeout_s, max_total_time_s;
+    std::optional<std::uint64_t> seed;
+    std::string timer;
+    bool skip_time = false, dry_run = false, dump_config = false, no_isolate = false;
+    std::string json, csv, md;  ///< files, or "-" for stdout
+    std::string out;            ///< folder of the run's outputs, or empty for one named after time and config
+};
+
+struct ListFlags {
+    bool json = false;
+};
+
+struct RenderFlags {
+    std::string device, output;
+    std::map<std::string, std::string> axis_values;
+    std::uint64_t seed = 1;
+};
+
+struct WorkerFlags {
+    std::string device;
+    bool probe = false;
+};
+
+/// A parsed command line.
+struct Options {
+    enum class Command { run, list, render, worker, text };
+    Command command = Command::run;
+    std::string text;  ///< of --help or --version: print it and end
+    CommonFlags common;
+    RunFlags run;
+    ListFlags list;
+    RenderFlags render;
+    WorkerFlags worker;
+};
+
+/// Parses what follows the program's name; PTBENCH_<OPTION> stands in for options of `run` that are not
+/// given. Throws UsageError, with the nearest match for a flag that does not exist.
+Options parse_options(std::vector<std::string> arguments);
+
+/// The config that the flags name, changed as the flags say.
+Config configured(const RunFlags& flags, const CommonFlags& common);
+
+/// "10,100" -> the axis "spp=[10,100]"
+Axis axis_of_values(const std::string& axis, const std::string& values);
+
+/// The words of a launcher: "srun -w node7".
+std::vector<std::string> split_words(const std::string& text);
+
+}  // namespace ptb

@@ -1,0 +1,157 @@
+#include "bench/cli/outputs.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+#include <tuple>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "bench/record/file.h"
+#include "bench/record/result_file.h"
+#include "bench/report/csv.h"
+#include "bench/report/markdown.h"
+
+namespace ptb {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto to_stdout = "-";
+
+/// Opens the file for writing as the end of the run will, without leaving a new one behind.
+void check_writable(const std::string& flag, const fs::path& file) {
+    std::error_code ignored;
+    const bool existed = fs::exists(file, ignored);
+    const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
+    if (fd < 0) {
+        throw UsageError(fmt::format("{}: cannot write {}: {}", flag, file.string(), std::strerror(errno)));
+    }
+    ::close(fd);
+    if (!existed) fs::remove(file, ignored);
+}
+
+void check_asked(const std::vector<std::pair<std::string, std::string>>& asked) {
+    int taking_stdout = 0;
+    for (const auto& [format, destination] : asked) {
+        if (destination != to_stdout) check_writable("--" + format, destination);
+        taking_stdout += destination == to_stdout ? 1 : 0;
+    }
+    if (taking_stdout > 1) throw UsageError("only one of --json, --csv and --md can write to stdout (-)");
+}
+
+/// "2016-05-17T09:30:00Z" -> "2016-05-17T09-30-00Z-quick"; numbered when that is there already.
+fs::path default_folder(const std::string& config, const std::string& started_at) {
+    const fs::path base = fs::path("ptbench-results") / file_safe(started_at + "-" + config);
+    fs::path folder = base;
+    for (int n = 2; fs::exists(folder); ++n) folder = fmt::format("{}-{}", base.string(), n);
+    return folder;
+}
+
+bool create_folder(const fs::path& folder) {
+    std::error_code error;
+    const bool created = fs::create_directories(folder, error);
+    if (error) throw UsageError(fmt::format("--out: cannot create {}: {}", folder.string(), error.message()));
+    return created;
+}
+
+std::string text_in(const std::string& format, const ResultFile& result, const PublishedTable& published) {
+    if (format == "json") return result_text(result);
+    return format == "csv" ? csv(result) : markdown(result, published);
+}
+
+void print_to_stdout(const std::string& text) {
+    const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (!whole || std::fflush(stdout) != 0) {
+        throw std::runtime_error(fmt::format("cannot write to stdout: {}", std::strerror(errno)));
+    }
+}
+
+/// What makes a better picture: the pt kernel, an implicit work-group, more samples.
+auto rank(const Case& c) {
+    return std::tuple(c.kernel == "pt", c.work_group.implicit(), c.spp);
+}
+
+}  // namespace
+
+std::string file_safe(std::string text) {
+    for (char& c : text) {
+        const bool safe = std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '_' || c == '-';
+        if (!safe) c = '-';
+    }
+    return text.starts_with('.') ? "-" + text.substr(1) : text;
+}
+
+Outputs::Outputs(const RunFlags& flags, const std::string& config, const std::string& started_at)
+    : folder_(flags.out.empty() ? default_folder(config, started_at) : fs::path(flags.out)) {
+    for (const auto& [format, destination] :
+         {std::pair("json", flags.json), std::pair("csv", flags.csv), std::pair("md", flags.md)}) {
+        if (!destination.empty()) asked_.emplace_back(format, destination);
+    }
+    check_asked(asked_);
+    created_ = create_folder(folder_);
+    check_writable("--out", folder_ / "result.json");
+}
+
+Outputs::~Outputs() {
+    std::error_code ignored;
+    if (!created_ || !fs::is_empty(folder_, ignored)) return;
+    fs::remove(folder_, ignored);
+    if (folder_.parent_path() == "ptbench-results") fs::remove(folder_.parent_path(), ignored);  // when empty
+}
+
+std::map<Case, std::string> Outputs::pictures(const std::vector<Case>& cases) {
+    std::map<Case, std::string> files;
+    std::map<std::string, const Case*> best;
+    for (const Case& c : cases) {
+        const Case*& so_far = best[c.device];
+        if (so_far != nullptr && rank(c) < rank(*so_far)) continue;
+        so_far = &c;
+        files[c] = (folder_ / (file_safe(c.device) + ".png")).string();
+        pictures_.insert(files[c]);
+    }
+    return files;
+}
+
+bool Outputs::stdout_is_taken() const {
+    return std::any_of(asked_.begin(), asked_.end(),
+                       [](const auto& each) { return each.second == to_stdout; });
+}
+
+void Outputs::write(const ResultFile& result, const PublishedTable& published) {
+    try {
+        write_all(result, published);
+    } catch (const std::exception& error) {
+        throw std::runtime_error(
+            fmt::format("{}; the run's data is in {}", error.what(), fs::absolute(journal()).string()));
+    }
+}
+
+void Outputs::write_all(const ResultFile& result, const PublishedTable& published) {
+    std::vector<std::pair<std::string, fs::path>> files{
+        {"json", folder_ / "result.json"}, {"csv", folder_ / "result.csv"}, {"md", folder_ / "table.md"}};
+    for (const auto& [format, destination] : asked_) {
+        if (destination != to_stdout) files.emplace_back(format, destination);
+    }
+    for (const auto& [format, file] : files) {
+        write_file(file, text_in(format, result, published));
+        written_.push_back(file.string());
+    }
+    for (const auto& [format, destination] : asked_) {
+        if (destination == to_stdout) print_to_stdout(text_in(format, result, published));
+    }
+}
+
+std::vector<std::string> Outputs::written() const {
+    std::vector<std::string> files = written_;
+    std::copy_if(pictures_.begin(), pictures_.end(), std::back_inserter(files),
+                 [](const std::string& file) { return fs::exists(file); });
+    return files;
+}
+
+}  // namespace ptb

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "bench/cli/options.h"
+#include "bench/record/record.h"
+#include "bench/report/published.h"
+
+namespace ptb {
+
+/// The outputs of a run: a folder with everything, and what --json, --csv and --md ask for beside it.
+class Outputs {
+  public:
+    /// Creates the folder and makes sure that everything can be written. Throws UsageError, leaving nothing.
+    Outputs(const RunFlags& flags, const std::string& config, const std::string& started_at);
+    /// Removes a folder that stayed empty.
+    ~Outputs();
+    Outputs(const Outputs&) = delete;
+    Outputs& operator=(const Outputs&) = delete;
+
+    /// The picture of each device: cases in plan order write it, each as good as those before it or better,
+    /// so that a case that is skipped does not leave a device without one.
+    std::map<Case, std::string> pictures(const std::vector<Case>& cases);
+    std::filesystem::path journal() const { return folder_ / "journal.jsonl"; }
+    bool stdout_is_taken() const;
+
+    /// Writes all files; `published` stands beside the run's own times. Throws std::runtime_error with the
+    /// path, the reason, and where the journal is.
+    void write(const ResultFile& result, const PublishedTable& published);
+
+    /// What was written, pictures included.
+    std::vector<std::string> written() const;
+
+  private:
+    void write_all(const ResultFile& result, const PublishedTable& published);
+
+    std::filesystem::path folder_;
+    bool created_ = false;
+    std::vector<std::pair<std::string, std::string>> asked_;  ///< format and destination
+    std::vector<std::string> written_;
+    std::set<std::string> pictures_;
+};
+
+/// `text` as part of a file name: letters, digits, '.', '_' and '-' stay.
+std::string file_safe(std::string text);
+
+}  // namespace ptb

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "bench/cli/check.h"
+#include "bench/cli/commands.h"
+#include "bench/cli/exit_code.h"
+#include "bench/cli/interrupt.h"
+#include "bench/worker/render_job.h"
+
+namespace ptb {
+namespace {
+
+void check_output(const std::string& output) {
+    if (output.empty()) throw UsageError("render: -o FILE is missing (.exr, .pfm, .png or .ppm)");
+    for (const char* extension : {".exr", ".pfm", ".png", ".ppm"}) {
+        if (output.ends_with(extension)) return;
+    }
+    throw UsageError(
+        fmt::format("-o: found \"{}\"; allowed: a file that ends in .exr, .pfm, .png or .ppm", output));
+}
+
+DeviceInfo choose_device(const std::string& selector, const std::vector<DeviceInfo>& devices) {
+    const auto chosen = select_devices({selector.empty() ? "all" : selector}, devices);
+    if (chosen.size() == 1 || selector.empty()) return chosen.at(0);
+    throw UsageError(fmt::format("-d: \"{}\" is {} devices; render takes one, e.g. -d {}", selector,
+                                 chosen.size(), chosen[0].key));
+}
+
+Case case_of(const RenderFlags& flags) {
+    Case c = default_case();
+    for (const auto& [axis, value] : flags.axis_values) set_case_value(c, axis, value);
+    check_case(c);
+    check_names({c});
+    return c;
+}
+
+void show_progress(double done) {
+    fmt::print(stderr, "\r{:3.0f} %", 100 * done);
+    std::fflush(stderr);
+}
+
+}  // namespace
+
+int render_command(const Options& options) {
+    const RenderFlags& flags = options.render;
+    check_output(flags.output);
+    RenderRequest request{case_of(flags), flags.seed, options.common.kernel_dir, flags.output};
+    const DeviceList list = find_devices(options.common);
+    if (!any_usable(list)) {
+        fmt::print(stderr, "{}\n", no_device_text(list));
+        return exit_codes::no_device;
+    }
+    const DeviceInfo device = choose_device(flags.device, list.devices);
+    const IcdFolder folder(icd_from_file(device.icd));
+    see_only(folder);
+    request.params.device = local_key(device.key);
+    const auto& stop = watch_for_interruption();
+    const bool live = !options.common.quiet && ::isatty(STDERR_FILENO) != 0;
+    const int code = render_to_file(
+        request, live ? show_progress : [](double) {}, stop);
+    if (live) fmt::print(stderr, "\r\033[K");
+    if (code != exit_codes::done) return code;
+    if (!options.common.quiet)
+        fmt::print(stderr, "written: {}{}\n", flags.output, stop ? " (interrupted)" : "");
+    return stop ? exit_codes::interrupted : exit_codes::done;
+}
+
+}  // namespace ptb

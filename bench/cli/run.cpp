@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "bench/cli/check.h"
+#include "bench/cli/commands.h"
+#include "bench/cli/data_dir.h"
+#include "bench/cli/exit_code.h"
+#include "bench/cli/hints.h"
+#include "bench/cli/interrupt.h"
+#include "bench/cli/outputs.h"
+#include "bench/cli/plan_text.h"
+#include "bench/cli/tell.h"
+#include "bench/record/host.h"
+#include "bench/record/journal.h"
+#include "bench/report/table.h"
+#include "bench/worker/progress.h"
+
+namespace ptb {
+namespace {
+
+/// Appends each record to the journal; a journal that cannot be written is a warning, not the end of the run.
+class JournalWriter : public RunObserver {
+  public:
+    JournalWriter(const std::filesystem::path& file, ResultFile& result)
+        : journal_(file, result), warnings_(result.warnings) {}
+    void finished(std::size_t, const Record& record) override {
+        if (broken_) return;
+        try {
+            journal_.append(record);
+        } catch (const std::exception& error) {
+            broken_ = true;
+            warnings_.push_back(fmt::format("the journal ends early: {}", error.what()));
+        }
+    }
+
+  private:
+    Journal journal_;
+    std::vector<std::string>& warnings_;
+    bool broken_ = false;
+};
+
+/// Everything a run needs, found and checked before any device does work.
+struct Prepared {
+    Config config;
+    PublishedTable published;
+    DeviceList list;
+    RunPlan plan;
+};
+
+void check_before_devices(const Config& config) {
+    check_names(expand(config, {DeviceInfo()}));
+}
+
+Prepared prepare(const Options& options) {
+    Prepared prepared;
+    prepared.config = configured(options.run, options.common);
+    check_before_devices(prepared.config);
+    prepared.published = read_published(data_dir() / "results" / "thesis-2016.json");
+    prepared.list = find_devices(options.common);
+    if (!any_usable(prepared.list)) return prepared;
+    RunPlan& plan = prepared.plan;
+    plan.measure = prepared.config.measure;
+    plan.max_total_time_s = prepared.config.max_total_time_s;
+    plan.devices = select_devices(prepared.config.devices, prepared.list.devices);
+    plan.cases = expand(prepared.config, plan.devices);
+    return prepared;
+}
+
+/// In this process the loader shall see what a worker's would: one driver, if one is all that is needed.
+std::unique_ptr<IcdFolder> only_driver(const std::vector<DeviceInfo>& devices) {
+    const auto same = [&](const DeviceInfo& device) { return device.icd == devices.front().icd; };
+    if (!std::all_of(devices.begin(), devices.end(), same)) return std::make_unique<IcdFolder>(any_icd);
+    return std::make_unique<IcdFolder>(icd_from_file(devices.front().icd));
+}
+
+OpenChannel channels(const Options& options, const Config& config, const Stopped& stopped) {
+    if (options.run.no_isolate) return in_process_channels();
+    const std::chrono::duration<double> silence(config.timeout_s);
+    return process_channels(worker_launch(options.common),
+                            std::chrono::duration_cast<std::chrono::milliseconds>(silence), stopped);
+}
+
+ProgressStyle progress_style(const CommonFlags& flags) {
+    if (flags.quiet) return ProgressStyle::silent;
+    return ::isatty(STDERR_FILENO) != 0 ? ProgressStyle::live : ProgressStyle::lines;
+}
+
+std::vector<std::string> warnings_before(const HostInfo& host, const Options& options) {
+    std::vector<std::string> warnings;
+    if (host.load_1min > 0.5 * host.cores) {
+        warnings.push_back(
+            fmt::format("load of {:.1f} on {} cores before the run; times on CPUs will vary: end "
+                        "other programs, or take more --samples",
+                        host.load_1min, host.cores));
+    }
+    if (options.run.no_isolate) {
+        warnings.push_back("--no-isolate: one driver's crash ends the run, and drivers share a process");
+    }
+    return warnings;
+}
+
+ResultFile start_result(const Prepared& prepared, const Options& options,
+                        const std::vector<std::string>& argv) {
+    ResultFile result;
+    result.run = run_info(argv, prepared.config.name, prepared.config.measure.seed);
+    result.host = host_info();
+    result.devices = prepared.plan.devices;
+    result.broken_icds = prepared.list.broken;
+    result.warnings = warnings_before(result.host, options);
+    return result;
+}
+
+void run_plan(const Options& options, const Prepared& prepared, const Outputs& outputs,
+              Coordinator& coordinator, ResultFile& result) {
+    const Forecast forecast = coordinator.estimate();
+    tell(options.common, prediction_text(forecast, prepared.plan.cases, prepared.config.max_total_time_s));
+    JournalWriter journal(outputs.journal(), result);
+    ProgressPrinter progress(stderr, progress_style(options.common), prepared.plan, forecast,
+                             use_colour(options.common, stderr));
+    result.cases = coordinator.run(forecast, {&journal, &progress});
+}
+
+void report(const Options& options, const Prepared& prepared, Outputs& outputs, const ResultFile& result) {
+    fmt::print(outputs.stdout_is_taken() ? stderr : stdout, "{}", table(result, prepared.published));
+    std::fflush(stdout);
+    tell_build_logs(options.common, result.cases);
+    outputs.write(result, prepared.published);
+    tell(options.common, fmt::format("written: {}", fmt::join(outputs.written(), " ")));
+    if (result.run.interrupted) return;
+    for (const auto& hint :
+         hints(prepared.config, prepared.list.devices, prepared.plan.devices, result.cases)) {
+        tell(options.common, "hint: " + hint);
+    }
+}
+
+int exit_code_of(const ResultFile& result) {
+    Outcome outcome = outcome_of(result.cases);
+    outcome.interrupted = result.run.interrupted;
+    return exit_code(outcome);
+}
+
+int measure(const Options& options, Prepared& prepared, const std::vector<std::string>& argv,
+            const Stopped& stopped) {
+    const double start_s = steady_seconds();
+    ResultFile result = start_result(prepared, options, argv);
+    Outputs outputs(options.run, prepared.config.name, result.run.started_at);
+    prepared.plan.image_files = outputs.pictures(prepared.plan.cases);
+    Coordinator coordinator(prepared.plan, channels(options, prepared.config, stopped), stopped);
+    run_plan(options, prepared, outputs, coordinator, result);
+    result.run.wall_s = steady_seconds() - start_s;
+    result.run.interrupted = stopped();
+    report(options, prepared, outputs, result);
+    return exit_code_of(result);
+}
+
+int dry_run(const Options& options, const Prepared& prepared, const Stopped& stopped) {
+    const RunPlan& plan = prepared.plan;
+    Coordinator coordinator(plan, channels(options, prepared.config, stopped), stopped);
+    const Forecast forecast = options.common.quiet ? Forecast(plan.measure) : coordinator.estimate();
+    tell(options.common, prediction_text(forecast, plan.cases, plan.max_total_time_s));
+    fmt::print("{}", plan_text(plan.cases, forecast));
+    return stopped() ? exit_codes::interrupted : exit_codes::done;
+}
+
+}  // namespace
+
+int run_command(const Options& options, const std::vector<std::string>& argv) {
+    if (options.run.dump_config) {
+        fmt::print("{}\n", dump_config(configured(options.run, options.common)));
+        return exit_codes::done;
+    }
+    Prepared prepared = prepare(options);
+    if (prepared.plan.devices.empty()) {
+        fmt::print(stderr, "{}\n", no_device_text(prepared.list));
+        return exit_codes::no_device;
+    }
+    tell_what_is_left_out(options.common, prepared.list);
+    const auto driver = only_driver(prepared.plan.devices);
+    if (options.run.no_isolate) see_only(*driver);
+    const Stopped stopped = [&stop = watch_for_interruption()] { return stop.load(); };
+    if (options.run.dry_run) return dry_run(options, prepared, stopped);
+    return measure(options, prepared, argv, stopped);
+}
+
+}  // namespace ptb

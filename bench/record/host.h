@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/record/record.h"
+
+namespace ptb {
+
+/// Facts of this host, from the kernel's files; what cannot be read stays empty.
+HostInfo host_info();
+
+/// Facts of this program and this moment; `config` and `seed` of the run.
+RunInfo run_info(std::vector<std::string> argv, const std::string& config, std::uint64_t seed);
+
+/// "2016-05-17T09:30:00Z", now.
+std::string utc_now();
+
+/// "model name" of /proc/cpuinfo, PRETTY_NAME of os-release, and MemTotal of meminfo in bytes.
+std::string cpu_model(std::string_view cpuinfo);
+std::string os_name(std::string_view os_release);
+std::uint64_t total_memory(std::string_view meminfo);
+
+}  // namespace ptb
