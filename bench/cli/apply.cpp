@@ -1,6 +1,6 @@
 #include <cctype>
 
-#include "bench/cli/data_dir.h"
+#include "bench/plan/data_dir.h"
 #include "bench/cli/options.h"
 
 namespace ptb {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/cli/data_dir.h"
+#include "bench/plan/data_dir.h"
 #include "bench/plan/nearest.h"
 #include "bench/plan/usage_error.h"
 #include "bench/record/printable.h"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "bench/cli/commands.h"
-#include "bench/cli/data_dir.h"
+#include "bench/plan/data_dir.h"
 
 namespace ptb {
 

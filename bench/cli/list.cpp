@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "bench/cli/commands.h"
-#include "bench/cli/data_dir.h"
+#include "bench/plan/data_dir.h"
 #include "bench/cli/exit_code.h"
 #include "bench/record/json.h"
 #include "bench/record/printable.h"

@@ -6,7 +6,7 @@
 
 #include "bench/cli/check.h"
 #include "bench/cli/commands.h"
-#include "bench/cli/data_dir.h"
+#include "bench/plan/data_dir.h"
 #include "bench/cli/exit_code.h"
 #include "bench/cli/hints.h"
 #include "bench/cli/interrupt.h"

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "bench/plan/data_dir.h"
+#include "bench/version.h"
 #include "bench/worker/workbench.h"
 
 namespace ptb {
@@ -43,7 +44,7 @@ class DeviceSession : public Session {
         bench_.emplace(key_, request.measure, data_dir());
         Response response;
         response.kind = Response::Kind::ready;
-        response.tool_version = PTBENCH_VERSION;
+        response.tool_version = version::tool;
         return response;
     }
 

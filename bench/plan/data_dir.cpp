@@ -1,4 +1,4 @@
-#include "bench/cli/data_dir.h"
+#include "bench/plan/data_dir.h"
 
 #include <algorithm>
 #include <cstdlib>
