@@ -1,12 +1,25 @@
 // render_once KERNEL LANES SCENE: renders 8x8 pixels, 2 samples each, on the first device; SCENE is a shipped
 // scene or "balls:N". For tools that watch a whole process, such as Oclgrind. Prints the counts.
+#include <cstring>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "tests/support/render_once.h"
 #include "tests/support/scenes.h"
+
+/// In place of the loader's: Oclgrind 21.10 takes what was filled for uninitialised, unlike what was written.
+cl_int clEnqueueFillBuffer(cl_command_queue queue, cl_mem buffer, const void* pattern,
+                           std::size_t pattern_bytes, std::size_t offset, std::size_t bytes, cl_uint events,
+                           const cl_event* wait_for, cl_event* event) {
+    std::vector<char> filled(bytes);
+    for (std::size_t at = 0; at < bytes; at += pattern_bytes)
+        std::memcpy(&filled[at], pattern, pattern_bytes);
+    return clEnqueueWriteBuffer(queue, buffer, CL_TRUE, offset, bytes, filled.data(), events, wait_for,
+                                event);
+}
 
 namespace {
 
