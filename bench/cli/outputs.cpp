@@ -84,7 +84,8 @@ std::string file_safe(std::string text) {
         const bool safe = std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '_' || c == '-';
         if (!safe) c = '-';
     }
-    return text.starts_with('.') ? "-" + text.substr(1) : text;
+    if (text.starts_with('.')) text.front() = '-';
+    return text;
 }
 
 Outputs::Outputs(const RunFlags& flags, const std::string& config, const std::string& started_at)
