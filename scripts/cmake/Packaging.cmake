@@ -1,12 +1,6 @@
-# `cmake --install`: the programs, the library with its headers and kernels, and the config package that
-# find_package(ptbench) reads. The tree may be moved afterwards. configs/ and results/ install themselves.
+# `cmake --install`: the library with its headers and kernels, and the config package that find_package(ptbench) reads.
+# Programs, configs/ and results/ install themselves. The tree may be moved afterwards.
 include(CMakePackageConfigHelpers)
-
-set(programs ptbench)
-if(TARGET ptbench_micro)
-  list(APPEND programs ptbench_micro)
-endif()
-install(TARGETS ${programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 set_target_properties(ptbench_core PROPERTIES EXPORT_NAME core)
 install(TARGETS ptbench_core EXPORT ptbench ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

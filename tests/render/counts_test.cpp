@@ -11,9 +11,7 @@ namespace ptb {
 namespace {
 
 /// (1 - a^length) / (1 - a): what a closed room of albedo a and radiance 1 sends into every ray.
-double furnace_radiance(double albedo, int length) {
-    return (1 - std::pow(albedo, length)) / (1 - albedo);
-}
+double furnace_radiance(double albedo, int length) { return (1 - std::pow(albedo, length)) / (1 - albedo); }
 
 TEST(Counts, every_sample_of_odd_sizes_is_done_once) {
     const Scene scene = shipped_scene("thesis");

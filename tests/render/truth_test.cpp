@@ -90,9 +90,7 @@ TEST(Truth, seventeen_spheres_leave_the_table) {
     expect_truth({"balls_17", mixed_balls(17), 48, 64, 8, 64}, "pt");
 }
 
-TEST(Truth, five_hundred_spheres) {
-    expect_truth({"balls_500", mixed_balls(500), 24, 32, 4, 32}, "pt");
-}
+TEST(Truth, five_hundred_spheres) { expect_truth({"balls_500", mixed_balls(500), 24, 32, 4, 32}, "pt"); }
 
 TEST(Truth, ten_thousand_spheres_lie_in_global_memory) {
     const Scene scene = mixed_balls(10'000);

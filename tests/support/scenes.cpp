@@ -49,9 +49,7 @@ Material dome(Vec3 radiance, Vec3 albedo) {
     return m;
 }
 
-Camera looking_along_z(double from) {
-    return {{0, 0, from}, {0, 0, 0}, {0, 1, 0}, 50};
-}
+Camera looking_along_z(double from) { return {{0, 0, from}, {0, 0, 0}, {0, 1, 0}, 50}; }
 
 }  // namespace
 

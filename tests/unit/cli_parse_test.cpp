@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "bench/cli/hints.h"
 #include "bench/cli/options.h"
@@ -22,9 +23,7 @@ std::string error_of(const Words& words) {
     return "no error";
 }
 
-RunFlags run_flags(const Words& words) {
-    return parse_options(words).run;
-}
+RunFlags run_flags(const Words& words) { return parse_options(words).run; }
 
 TEST(cli_parse, nothing_is_a_run_of_the_quick_config) {
     const Options options = parse_options({});
@@ -144,7 +143,8 @@ TEST(cli_parse, a_launcher_is_split_into_words) {
 /// A folder that goes away, as the current one.
 struct InScratchFolder : testing::Test {
     std::filesystem::path before = std::filesystem::current_path();
-    std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "ptb-outputs";
+    std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / ("ptb-outputs-" + std::to_string(::getpid()));
     InScratchFolder() {
         std::filesystem::remove_all(folder);
         std::filesystem::create_directories(folder);

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace ptb {
+
+/// Registers the host's hot spots: validation, JSON, statistics.
+void register_host();
+
+/// Registers every kernel on every device of this process.
+void register_renders();
+
+}  // namespace ptb

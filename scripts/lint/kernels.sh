@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Compiles every kernel alone as strict OpenCL C 1.2, for every lane width and for what scenes and machines switch on.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+clang=''
+for name in clang-14 clang clang-19 clang-18 clang-17 clang-16 clang-15 clang-13; do
+    if command -v "$name" >/dev/null; then clang=$name && break; fi
+done
+if [ -z "$clang" ]; then
+    echo "no clang here" >&2
+    [ -z "${PTB_STRICT-}" ] && exit 77 # ctest: skipped
+    exit 1
+fi
+
+checks=0 failures=0
+check() { # FILE OPTIONS...
+    checks=$((checks + 1))
+    if ! "$clang" -x cl -cl-std=CL1.2 -Xclang -finclude-default-header -fsyntax-only -Wall -Wextra -Werror \
+        -Wno-unused-function -Ikernels "${@:2}" "$1"; then
+        echo "in $1 with ${*:2}" >&2
+        failures=$((failures + 1))
+    fi
+}
+
+while IFS= read -r kernel; do
+    for lanes in 1 4 8 16; do
+        portable=(-target spir64 "-DPTB_LANES=$lanes")
+        check "$kernel" "${portable[@]}"
+        check "$kernel" "${portable[@]}" -DPT_FEW_SPHERES
+        check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3
+        check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3 -DPT_SCENE_SPACE=__global
+        # With these the tables become register permutes.
+        for machine in '-mavx512f -mavx512vl' '-mavx2 -mfma'; do
+            # shellcheck disable=SC2086 # two words
+            check "$kernel" -target x86_64-unknown-linux-gnu $machine "-DPTB_LANES=$lanes" -DPT_FEW_SPHERES
+        done
+    done
+done < <(find kernels -name '*.cl' | sort)
+
+echo "$checks compilations with $clang, $failures failed"
+[ "$checks" -gt 0 ] && [ "$failures" -eq 0 ]

@@ -1,0 +1,17 @@
+# Tiny renders under Oclgrind: each lane width with the scene in few spheres, and with a scene of many.
+add_executable(render_once support/render_once_main.cpp support/scenes.cpp)
+target_link_libraries(render_once PRIVATE ptbench_core ptbench_warnings)
+target_compile_definitions(render_once PRIVATE PTB_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+
+function(ptbench_oclgrind kernel lanes scene)
+  string(REPLACE ":" "_" name oclgrind.${kernel}_lanes${lanes}_${scene})
+  add_test(NAME ${name} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/render/oclgrind.sh $<TARGET_FILE:render_once> ${kernel}
+                                ${lanes} ${scene})
+  set_tests_properties(${name} PROPERTIES LABELS oclgrind TIMEOUT 300 SKIP_RETURN_CODE 77)
+endfunction()
+
+ptbench_oclgrind(thesis 1 thesis)
+foreach(lanes 1 4 16)
+  ptbench_oclgrind(pt ${lanes} thesis)
+  ptbench_oclgrind(pt ${lanes} balls:40)
+endforeach()
