@@ -73,9 +73,7 @@ void print_to_stdout(const std::string& text) {
 }
 
 /// What makes a better picture: the pt kernel, an implicit work-group, more samples.
-auto rank(const Case& c) {
-    return std::tuple(c.kernel == "pt", c.work_group.implicit(), c.spp);
-}
+auto rank(const Case& c) { return std::tuple(c.kernel == "pt", c.work_group.implicit(), c.spp); }
 
 }  // namespace
 
