@@ -1,7 +1,7 @@
 #include <cctype>
 
-#include "bench/plan/data_dir.h"
 #include "bench/cli/options.h"
+#include "bench/plan/data_dir.h"
 
 namespace ptb {
 namespace {

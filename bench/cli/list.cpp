@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "bench/cli/commands.h"
-#include "bench/plan/data_dir.h"
 #include "bench/cli/exit_code.h"
+#include "bench/plan/data_dir.h"
 #include "bench/record/json.h"
 #include "bench/record/printable.h"
 #include "core/integrator/registry.h"

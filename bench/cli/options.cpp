@@ -203,9 +203,7 @@ Options::Command command_of(const Grammar& grammar) {
     return grammar.worker->parsed() ? Options::Command::worker : Options::Command::run;
 }
 
-std::string first_line_of(const std::string& text) {
-    return text.substr(0, text.find('\n'));
-}
+std::string first_line_of(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 }  // namespace
 
@@ -228,8 +226,6 @@ Options parse_options(std::vector<std::string> arguments) {
     return options;
 }
 
-std::vector<std::string> split_words(const std::string& text) {
-    return CLI::detail::split_up(text);
-}
+std::vector<std::string> split_words(const std::string& text) { return CLI::detail::split_up(text); }
 
 }  // namespace ptb

@@ -73,9 +73,7 @@ void print_to_stdout(const std::string& text) {
 }
 
 /// What makes a better picture: the pt kernel, an implicit work-group, more samples.
-auto rank(const Case& c) {
-    return std::tuple(c.kernel == "pt", c.work_group.implicit(), c.spp);
-}
+auto rank(const Case& c) { return std::tuple(c.kernel == "pt", c.work_group.implicit(), c.spp); }
 
 }  // namespace
 
@@ -84,7 +82,8 @@ std::string file_safe(std::string text) {
         const bool safe = std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '_' || c == '-';
         if (!safe) c = '-';
     }
-    return text.starts_with('.') ? "-" + text.substr(1) : text;
+    if (text.starts_with('.')) text.front() = '-';
+    return text;
 }
 
 Outputs::Outputs(const RunFlags& flags, const std::string& config, const std::string& started_at)

@@ -6,13 +6,13 @@
 
 #include "bench/cli/check.h"
 #include "bench/cli/commands.h"
-#include "bench/plan/data_dir.h"
 #include "bench/cli/exit_code.h"
 #include "bench/cli/hints.h"
 #include "bench/cli/interrupt.h"
 #include "bench/cli/outputs.h"
 #include "bench/cli/plan_text.h"
 #include "bench/cli/tell.h"
+#include "bench/plan/data_dir.h"
 #include "bench/record/host.h"
 #include "bench/record/journal.h"
 #include "bench/report/table.h"
@@ -50,9 +50,7 @@ struct Prepared {
     RunPlan plan;
 };
 
-void check_before_devices(const Config& config) {
-    check_names(expand(config, {DeviceInfo()}));
-}
+void check_before_devices(const Config& config) { check_names(expand(config, {DeviceInfo()})); }
 
 Prepared prepare(const Options& options) {
     Prepared prepared;

@@ -24,9 +24,7 @@ std::vector<std::string> json_files(const fs::path& folder) {
 
 }  // namespace
 
-fs::path self_path() {
-    return fs::read_symlink("/proc/self/exe");
-}
+fs::path self_path() { return fs::read_symlink("/proc/self/exe"); }
 
 fs::path data_dir() {
     const char* const variable = std::getenv("PTBENCH_DATA_DIR");
@@ -38,12 +36,8 @@ fs::path data_dir() {
                                  folder.string(), given ? " (it is set, but wrong)" : ""));
 }
 
-std::vector<std::string> scene_names() {
-    return json_files(data_dir() / "configs" / "scenes");
-}
+std::vector<std::string> scene_names() { return json_files(data_dir() / "configs" / "scenes"); }
 
-std::vector<std::string> config_names() {
-    return json_files(data_dir() / "configs");
-}
+std::vector<std::string> config_names() { return json_files(data_dir() / "configs"); }
 
 }  // namespace ptb

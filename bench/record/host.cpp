@@ -44,13 +44,9 @@ double load_of_last_minute() {
 
 }  // namespace
 
-std::string cpu_model(std::string_view cpuinfo) {
-    return value_of(cpuinfo, "model name", ':');
-}
+std::string cpu_model(std::string_view cpuinfo) { return value_of(cpuinfo, "model name", ':'); }
 
-std::string os_name(std::string_view os_release) {
-    return value_of(os_release, "PRETTY_NAME", '=');
-}
+std::string os_name(std::string_view os_release) { return value_of(os_release, "PRETTY_NAME", '='); }
 
 std::uint64_t total_memory(std::string_view meminfo) {
     const std::string kilobytes = value_of(meminfo, "MemTotal", ':');
@@ -87,8 +83,6 @@ RunInfo run_info(std::vector<std::string> argv, const std::string& config, std::
     return info;
 }
 
-std::string utc_now() {
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-}
+std::string utc_now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
 
 }  // namespace ptb

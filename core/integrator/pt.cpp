@@ -91,7 +91,7 @@ class PtRender : public Render {
         plan_launch(std::clamp<std::uint64_t>(samples / shape_.samples_per_unit, 1, shape_.max_units));
         const std::uint64_t lanes = static_cast<std::uint64_t>(job_.lanes);
         const std::uint64_t needed = launch_.units / shape_.units_per_lane + 1;
-        const std::uint64_t wanted = std::min<std::uint64_t>(shape_.items, launch_.units / lanes + 1);
+        const std::uint64_t wanted = std::min<std::uint64_t>(items(), launch_.units / lanes + 1);
         const Ranges ranges = one_dimensional(std::max(needed, wanted), job_.work_group_x);
         std::vector<cl::Event> events(2);
         ocl::checked("pt_render, " + describe(ranges), device_.info.name, [&] {
@@ -158,6 +158,12 @@ class PtRender : public Render {
             mean[c] = static_cast<float>(m);
             variance[c] = n > 1 ? static_cast<float>(std::max(squares[c] - n * m * m, 0.0) / (n - 1)) : 0.0f;
         }
+    }
+
+    /// At least four work-groups a compute unit: one that is alone keeps the others idle.
+    std::uint64_t items() const {
+        const auto group = static_cast<std::uint64_t>(std::max(job_.work_group_x, 1));
+        return std::max(shape_.items, 4 * group * static_cast<std::uint64_t>(device_.info.compute_units));
     }
 
     /// Whole runs of the image while the budget holds one, else a band of pixels of one run.

@@ -28,9 +28,10 @@ if(CMAKE_SCRIPT_MODE_FILE)
   configure_file(${SOURCE}/bench/version.h.in ${OUTPUT} @ONLY)
 else()
   set(PTBENCH_VERSION_DIR ${PROJECT_BINARY_DIR}/generated)
+  get_filename_component(ptbench_source ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
   set(ptbench_compiler "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
   add_custom_target(ptbench_version_header
-    COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DOUTPUT=${PTBENCH_VERSION_DIR}/bench/version.h
+    COMMAND ${CMAKE_COMMAND} -DSOURCE=${ptbench_source} -DOUTPUT=${PTBENCH_VERSION_DIR}/bench/version.h
             -DPTBENCH_VERSION=${PROJECT_VERSION} "-DPTBENCH_COMPILER=${ptbench_compiler}"
             -P ${CMAKE_CURRENT_LIST_FILE}
     BYPRODUCTS ${PTBENCH_VERSION_DIR}/bench/version.h
