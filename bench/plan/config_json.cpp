@@ -39,7 +39,8 @@ void read_devices(const Json& json, const Where& where, std::vector<std::string>
     devices.clear();
     const Json list = json.is_array() ? json : Json::array({json});
     for (const Json& item : list) {
-        const bool good = item.is_number_unsigned() || (item.is_string() && item != "");
+        const bool good =
+            item.is_number_unsigned() || (item.is_string() && !item.get_ref<const std::string&>().empty());
         if (!good) where.refuse(json, "a device selector, or a list of them");
         devices.push_back(item.is_string() ? item.get<std::string>() : dump_json(item));
     }

@@ -55,13 +55,13 @@ Cell axis(const std::string& name) {
     return [name](const Row& r) { return text(case_value(r.record.params, name)); };
 }
 /// Cells that are empty when the record lacks the part they show.
-Cell of_statistics(std::function<std::string(const Statistics&)> show) {
+Cell of_statistics(const std::function<std::string(const Statistics&)>& show) {
     return [show](const Row& r) { return r.record.statistics ? show(*r.record.statistics) : ""; };
 }
-Cell of_work(std::function<std::string(const Work&)> show) {
+Cell of_work(const std::function<std::string(const Work&)>& show) {
     return [show](const Row& r) { return r.record.work ? show(*r.record.work) : ""; };
 }
-Cell of_build(std::function<std::string(const Build&)> show) {
+Cell of_build(const std::function<std::string(const Build&)>& show) {
     return [show](const Row& r) { return r.record.build ? show(*r.record.build) : ""; };
 }
 Cell statistic_ms(double Statistics::*member) {

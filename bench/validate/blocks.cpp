@@ -10,7 +10,8 @@ Blocks block_means(const Image& image, int edge) {
     std::size_t pixel = 0;
     for (int y = 0; y < image.size.height; ++y) {
         for (int x = 0; x < image.size.width; ++x, ++pixel) {
-            const auto block = static_cast<std::size_t>(y / edge * blocks.across + x / edge);
+            const int number = y / edge * blocks.across + x / edge;
+            const auto block = static_cast<std::size_t>(number);
             for (std::size_t c = 0; c < 3; ++c) blocks.rgb[3 * block + c] += image.rgb[3 * pixel + c];
             ++blocks.pixels[block];
         }
