@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "core/image/image_io.h"
-#include "core/image/replace_file.h"
 
 namespace ptb {
 namespace {
@@ -104,7 +103,7 @@ void require_one_size(const std::filesystem::path& file, const std::map<std::str
 
 void write_exr_layers(const std::filesystem::path& file, const std::map<std::string, Image>& layers) {
     require_one_size(file, layers);
-    replace_file(file, encode(layers));
+    write_bytes(file, encode(layers));
 }
 
 std::map<std::string, Image> read_exr_layers(const std::filesystem::path& file) {

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include "core/image/replace_file.h"
+#include "core/file/replace_file.h"
 
 namespace ptb {
 namespace {
@@ -79,6 +79,11 @@ const std::map<std::string, std::function<std::string(const Image&)>>& encoders(
 
 }  // namespace
 
+void write_bytes(const std::filesystem::path& file, std::string_view bytes) {
+    if (const std::error_code error = replace_file(file, bytes))
+        throw ImageError(fmt::format("{}: cannot be written: {}", file.string(), error.message()));
+}
+
 bool is_image_file(const std::filesystem::path& file) {
     return extension_of(file) == ".exr" || encoders().contains(extension_of(file));
 }
@@ -90,7 +95,7 @@ void write_image(const std::filesystem::path& file, const Image& image) {
     if (extension_of(file) == ".exr") return write_exr_layers(file, {{"", image}});
     if (image.size.pixels() == 0 || image.rgb.size() != 3 * image.size.pixels())
         throw ImageError(file.string() + ": there is nothing to write");
-    replace_file(file, encoders().at(extension_of(file))(image));
+    write_bytes(file, encoders().at(extension_of(file))(image));
 }
 
 }  // namespace ptb

@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "core/image/image.h"
 
@@ -17,9 +18,11 @@ struct ImageError : std::runtime_error {
 /// True when `write_image` knows the extension (.exr .pfm .png .ppm, in any case).
 bool is_image_file(const std::filesystem::path& file);
 
+/// Writes the whole file or nothing. Throws ImageError.
+void write_bytes(const std::filesystem::path& file, std::string_view bytes);
+
 /// Writes by extension: .exr and .pfm keep linear floats; .png (8 bit) and .ppm (P3, as the thesis wrote) are
-/// clamped to [0, 1] and square-root encoded (gamma 2). Written to a temporary name beside it, then renamed.
-/// Throws ImageError.
+/// clamped to [0, 1] and square-root encoded (gamma 2). Throws ImageError.
 void write_image(const std::filesystem::path& file, const Image& image);
 
 /// Several images of one size as named layers of one OpenEXR file ("mean" gives channels mean.R, mean.G,

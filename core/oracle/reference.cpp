@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/image/image_io.h"
-#include "core/image/replace_file.h"
 
 namespace ptb {
 namespace {
@@ -81,7 +80,7 @@ void save_reference(const std::filesystem::path& folder, const Reference& refere
         reference_name(reference.scene, reference.kernel, reference.size, reference.path_length);
     write_exr_layers(folder / (name + ".exr"),
                      {{"mean", reference.mean}, {"variance", coarse(reference.variance)}});
-    replace_file(folder / (name + ".json"), facts(reference).dump(4) + "\n");
+    write_bytes(folder / (name + ".json"), facts(reference).dump(4) + "\n");
 }
 
 std::optional<Reference> load_reference(const std::filesystem::path& folder, const std::string& name) {
