@@ -76,7 +76,8 @@ IcdFolder::~IcdFolder() {
 
 std::map<std::string, std::string> IcdFolder::environment() const {
     if (path_.empty()) return {};
-    return {{"OCL_ICD_VENDORS", path_.string()}, {"OCL_ICD_FILENAMES", ""}};
+    // CUDA's loader appends file names to the folder as it stands: without the slash it finds nothing.
+    return {{"OCL_ICD_VENDORS", path_.string() + "/"}, {"OCL_ICD_FILENAMES", ""}};
 }
 
 void see_only(const IcdFolder& folder) {
