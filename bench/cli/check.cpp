@@ -1,12 +1,15 @@
 #include "bench/cli/check.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
+#include <string>
 
 #include <fmt/format.h>
 
 #include "bench/plan/data_dir.h"
 #include "bench/plan/nearest.h"
+#include "bench/plan/scene_file.h"
 #include "bench/plan/usage_error.h"
 #include "bench/record/printable.h"
 #include "core/integrator/registry.h"
@@ -24,25 +27,21 @@ void check_kernel(const std::string& kernel) {
 }
 
 void check_scene(const std::string& scene) {
+    const std::filesystem::path file = scene_file(scene, data_dir());
+    if (!std::filesystem::is_regular_file(file)) {
+        const auto names = scene_names();
+        throw UsageError(
+            fmt::format("scene: found \"{}\", which is no file{}; allowed: a file, or one of: {}",
+                        printable(scene), did_you_mean(scene, names), fmt::join(names, ", ")));
+    }
     try {
-        load_scene(scene_file(scene));
+        load_scene(file);
     } catch (const SceneError& error) {
         throw UsageError(error.what());
     }
 }
 
 }  // namespace
-
-std::filesystem::path scene_file(const std::string& name_or_file) {
-    const auto names = scene_names();
-    if (std::find(names.begin(), names.end(), name_or_file) != names.end()) {
-        return data_dir() / "configs" / "scenes" / (name_or_file + ".json");
-    }
-    if (std::filesystem::is_regular_file(name_or_file)) return name_or_file;
-    throw UsageError(fmt::format("scene: found \"{}\", which is no file{}; allowed: a file, or one of: {}",
-                                 printable(name_or_file), did_you_mean(name_or_file, names),
-                                 fmt::join(names, ", ")));
-}
 
 void check_names(const std::vector<Case>& cases) {
     std::set<std::string> kernels, scenes;

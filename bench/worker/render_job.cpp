@@ -1,7 +1,5 @@
 #include "bench/worker/render_job.h"
 
-#include <algorithm>
-
 #include "bench/measure/sampler.h"
 #include "bench/plan/data_dir.h"
 #include "bench/plan/scene_file.h"
@@ -10,18 +8,6 @@
 #include "core/integrator/registry.h"
 
 namespace ptb {
-
-namespace {
-
-/// Lane width asked for, or the device's own where the kernel has it.
-int lanes_for(const Integrator& kernel, const DeviceInfo& device, int asked) {
-    if (asked != 0) return asked;
-    const auto& widths = kernel.lanes;
-    const bool has = std::find(widths.begin(), widths.end(), device.default_lanes) != widths.end();
-    return has ? device.default_lanes : widths.front();
-}
-
-}  // namespace
 
 int render_to_file(const RenderRequest& request, std::function<void(double done)> progress,
                    const std::atomic<bool>& stop) {
@@ -33,7 +19,7 @@ int render_to_file(const RenderRequest& request, std::function<void(double done)
                         c.spp,
                         c.path_length,
                         static_cast<std::uint32_t>(request.seed),
-                        lanes_for(kernel, device.info, c.lanes),
+                        c.lanes == 0 ? default_lanes(kernel, device.info) : c.lanes,
                         c.work_group.x,
                         c.work_group.y};
     const std::string unsupported = unsupported_reason(kernel, device, scene, job);

@@ -95,15 +95,11 @@ const Scene& Workbench::scene(const std::string& name) {
 
 Workbench::Job Workbench::resolve(const Case& params) {
     Job job{params, &scene(params.scene), &integrator(params.kernel), {}};
-    const auto& widths = job.kernel->lanes;
-    const bool has_default =
-        std::find(widths.begin(), widths.end(), device_.info.default_lanes) != widths.end();
-    const int by_default = has_default ? device_.info.default_lanes : widths.front();
     job.work = {params.size,
                 params.spp,
                 params.path_length,
                 static_cast<std::uint32_t>(options_.seed),
-                params.lanes == 0 ? by_default : params.lanes,
+                params.lanes == 0 ? default_lanes(*job.kernel, device_.info) : params.lanes,
                 params.work_group.x,
                 params.work_group.y};
     return job;

@@ -55,6 +55,12 @@ const Integrator& integrator(const std::string& id) {
     throw std::out_of_range(fmt::format("no kernel \"{}\"", id));
 }
 
+int default_lanes(const Integrator& integrator, const DeviceInfo& device) {
+    const auto& widths = integrator.lanes;
+    const bool has = std::find(widths.begin(), widths.end(), device.default_lanes) != widths.end();
+    return has ? device.default_lanes : widths.front();
+}
+
 std::string unsupported_reason(const Integrator& integrator, const ocl::Device& device, const Scene& scene,
                                const RenderJob& job) {
     if (std::find(integrator.lanes.begin(), integrator.lanes.end(), job.lanes) == integrator.lanes.end())

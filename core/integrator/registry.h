@@ -33,6 +33,9 @@ const std::vector<Integrator>& integrators();
 /// Throws std::out_of_range when there is none of that id.
 const Integrator& integrator(const std::string& id);
 
+/// The device's own lane width where the integrator has it, else the integrator's first.
+int default_lanes(const Integrator& integrator, const DeviceInfo& device);
+
 /// Why this device cannot do this job (the limit is named), or nothing. Known before anything is built.
 std::string unsupported_reason(const Integrator& integrator, const ocl::Device& device, const Scene& scene,
                                const RenderJob& job);
