@@ -36,6 +36,9 @@ class Outputs {
     std::vector<std::string> written() const;
 
   private:
+    explicit Outputs(std::filesystem::path folder);
+    /// Format and file of all that is written beside stdout.
+    std::vector<std::pair<std::string, std::filesystem::path>> files() const;
     void write_all(const ResultFile& result, const PublishedTable& published);
 
     std::filesystem::path folder_;
@@ -44,6 +47,10 @@ class Outputs {
     std::vector<std::string> written_;
     std::set<std::string> pictures_;
 };
+
+/// Opens a file for writing as the end of a run will, without leaving a new one behind. Throws UsageError
+/// that names the flag.
+void check_writable(const std::string& flag, const std::filesystem::path& file);
 
 /// `text` as part of a file name: letters, digits, '.', '_' and '-' stay.
 std::string file_safe(std::string text);
