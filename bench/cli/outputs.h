@@ -23,7 +23,7 @@ class Outputs {
     Outputs& operator=(const Outputs&) = delete;
 
     /// The picture of each device: cases in plan order write it, each as good as those before it or better,
-    /// so that a case that is skipped does not leave a device without one.
+    /// so that a case that is skipped does not leave a device without one. Removes those of an older run.
     std::map<Case, std::string> pictures(const std::vector<Case>& cases);
     std::filesystem::path journal() const { return folder_ / "journal.jsonl"; }
     bool stdout_is_taken() const;
