@@ -1,13 +1,12 @@
-#include <cstdlib>
+#include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include "bench/cli/commands.h"
 #include "bench/cli/exit_code.h"
+#include "bench/cli/interrupt.h"
+#include "bench/cli/tell.h"
 #include "bench/worker/device_worker.h"
 
 namespace {
@@ -15,7 +14,7 @@ namespace {
 int dispatch(const ptb::Options& options, const std::vector<std::string>& argv) {
     switch (options.command) {
         case ptb::Options::Command::text:
-            fmt::print("{}", options.text);
+            ptb::put(stdout, options.text);
             return ptb::exit_codes::done;
         case ptb::Options::Command::list:
             return ptb::list_command(options);
@@ -29,9 +28,16 @@ int dispatch(const ptb::Options& options, const std::vector<std::string>& argv) 
     return ptb::run_command(options, argv);
 }
 
-int fail(int code, const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+int fail(int code, const std::string& reason) {
+    ptb::put(stderr, "error: " + reason + "\n");
     return code;
+}
+
+/// The exit code, unless what stdout should have got was lost.
+int check_stdout(int code) {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    const int lost = fail(ptb::exit_codes::failed, "stdout did not take everything");
+    return code == ptb::exit_codes::done ? lost : code;
 }
 
 }  // namespace
@@ -39,12 +45,14 @@ int fail(int code, const std::exception& error) {
 int main(int argc, char** argv) {
     const std::vector<std::string> words(argv, argv + argc);
     try {
-        return dispatch(ptb::parse_options({words.begin() + 1, words.end()}), words);
+        return check_stdout(dispatch(ptb::parse_options({words.begin() + 1, words.end()}), words));
+    } catch (const ptb::Interrupted&) {
+        return ptb::exit_codes::interrupted;
     } catch (const ptb::UsageError& error) {
-        return fail(ptb::exit_codes::usage, error);
+        return fail(ptb::exit_codes::usage, error.what());
     } catch (const ptb::VersionMismatch& error) {
-        return fail(ptb::exit_codes::not_comparable, error);
+        return fail(ptb::exit_codes::not_comparable, error.what());
     } catch (const std::exception& error) {
-        return fail(ptb::exit_codes::failed, error);
+        return fail(ptb::exit_codes::failed, error.what());
     }
 }

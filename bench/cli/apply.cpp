@@ -1,4 +1,5 @@
 #include <cctype>
+#include <set>
 
 #include "bench/cli/options.h"
 #include "bench/plan/data_dir.h"
@@ -6,9 +7,17 @@
 namespace ptb {
 namespace {
 
-void apply_axes(const RunFlags& flags, Config& config) {
-    for (const std::string& text : flags.axes) override_axis(config, parse_axis(text));
-    for (const auto& [axis, values] : flags.axis_values) override_axis(config, axis_of_values(axis, values));
+/// The axes of -a, of their own flags and of variables. One that comes twice has no right value.
+std::vector<Axis> axes_of(const RunFlags& flags) {
+    std::vector<Axis> axes;
+    for (const std::string& text : flags.axes) axes.push_back(parse_axis(text));
+    for (const auto& [axis, values] : flags.axis_values) axes.push_back(axis_of_values(axis, values));
+    std::set<std::string> given;
+    for (const Axis& axis : axes)
+        for (const std::string& name : axis.names)
+            if (!given.insert(name).second)
+                throw UsageError(name + ": given twice, by flags or PTBENCH_ variables; allowed: once");
+    return axes;
 }
 
 void apply_devices(const RunFlags& flags, Config& config) {
@@ -44,7 +53,7 @@ Axis axis_of_values(const std::string& axis, const std::string& values) {
 Config configured(const RunFlags& flags, const CommonFlags& common) {
     Config config = load_config(flags.config, data_dir() / "configs");
     apply_devices(flags, config);
-    apply_axes(flags, config);
+    for (const Axis& axis : axes_of(flags)) override_axis(config, axis);
     apply_measuring(flags, config);
     if (!common.kernel_dir.empty()) config.measure.kernel_dir = common.kernel_dir;
     return config;

@@ -17,7 +17,8 @@ int worker_command_line(const Options& options);
 /// How workers of this run are started.
 WorkerLaunch worker_launch(const CommonFlags& flags);
 
-/// The devices of this machine, or of the launcher's.
+/// The devices of this machine, or of the launcher's. Watches for interruption from then on; throws
+/// Interrupted.
 DeviceList find_devices(const CommonFlags& flags);
 
 /// Whether there is any device to use.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bench/cli/commands.h"
+#include "bench/cli/interrupt.h"
 #include "bench/plan/data_dir.h"
 
 namespace ptb {
@@ -11,16 +12,26 @@ WorkerLaunch worker_launch(const CommonFlags& flags) {
     return {self_path().string(), split_words(flags.launcher)};
 }
 
-DeviceList find_devices(const CommonFlags& flags) {
-    const WorkerLaunch launch = worker_launch(flags);
-    if (launch.launcher.empty()) return probe(find_icds(), launch);
+namespace {
+
+DeviceList probe_through(const WorkerLaunch& launch, const Stopped& stopped) {
+    if (launch.launcher.empty()) return probe(find_icds(), launch, probe_patience, stopped);
     try {
         // Behind a launcher may be another machine, or a tool that stands in for all drivers: its loader
         // decides.
-        return probe({any_icd}, launch);
+        return probe({any_icd}, launch, probe_patience, stopped);
     } catch (const std::exception& error) {
         throw UsageError(fmt::format("--launcher: {}", error.what()));
     }
+}
+
+}  // namespace
+
+DeviceList find_devices(const CommonFlags& flags) {
+    const auto& stop = watch_for_interruption();
+    DeviceList list = probe_through(worker_launch(flags), [&stop] { return stop.load(); });
+    if (stop) throw Interrupted();
+    return list;
 }
 
 bool any_usable(const DeviceList& list) {

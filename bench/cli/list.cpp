@@ -2,6 +2,7 @@
 
 #include "bench/cli/commands.h"
 #include "bench/cli/exit_code.h"
+#include "bench/cli/tell.h"
 #include "bench/plan/data_dir.h"
 #include "bench/record/json.h"
 #include "bench/record/printable.h"
@@ -61,15 +62,16 @@ std::string broken_text(const std::vector<BrokenIcd>& broken) {
 }
 
 void print_text(const DeviceList& list) {
-    fmt::print("{}{}\nkernels: {}\nscenes:  {}\nconfigs: {}\naxes:    {}\n", devices_text(list.devices),
-               broken_text(list.broken), fmt::join(kernel_names(), " "), fmt::join(scene_names(), " "),
-               fmt::join(config_names(), " "), fmt::join(axis_names(), " "));
+    put(stdout,
+        fmt::format("{}{}\nkernels: {}\nscenes:  {}\nconfigs: {}\naxes:    {}\n", devices_text(list.devices),
+                    broken_text(list.broken), fmt::join(kernel_names(), " "), fmt::join(scene_names(), " "),
+                    fmt::join(config_names(), " "), fmt::join(axis_names(), " ")));
 }
 
 void print_json(const DeviceList& list) {
     const Json json{{"devices", list.devices}, {"broken_icds", list.broken}, {"kernels", kernel_names()},
                     {"scenes", scene_names()}, {"configs", config_names()},  {"axes", axis_names()}};
-    fmt::print("{}\n", dump_json(json, 2));
+    put(stdout, dump_json(json, 2) + "\n");
 }
 
 }  // namespace
@@ -78,7 +80,7 @@ int list_command(const Options& options) {
     const DeviceList list = find_devices(options.common);
     options.list.json ? print_json(list) : print_text(list);
     if (any_usable(list)) return exit_codes::done;
-    fmt::print(stderr, "{}\n", no_device_text(list));
+    put(stderr, no_device_text(list) + "\n");
     return exit_codes::no_device;
 }
 

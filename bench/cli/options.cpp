@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
+#include <cstdlib>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "bench/cli/value_checks.h"
+#include "bench/plan/limits.h"
 #include "bench/plan/nearest.h"
+#include "bench/record/printable.h"
 #include "bench/version.h"
 
 namespace ptb {
@@ -40,31 +43,13 @@ std::string variable_of(std::string flag) {
     return "PTBENCH_" + flag;
 }
 
-/// A finite number, at least `low`; CLI11's own checks let nan through.
-CLI::Validator at_least(double low, bool or_equal) {
-    const auto check = [low, or_equal](const std::string& text) -> std::string {
-        double value = std::nan("");
-        if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) &&
-            (value > low || (or_equal && value == low))) {
-            return {};
-        }
-        return fmt::format("\"{}\" is not a number {} {:g}", text, or_equal ? "of at least" : "above", low);
-    };
-    return {check, ""};
-}
-
-/// CLI11 wraps "-1" around to a large number.
-CLI::Validator whole_number() {
-    const auto check = [](const std::string& text) -> std::string {
-        const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-        return digits ? std::string() : fmt::format("\"{}\" is not a whole number", text);
-    };
-    return {check, ""};
-}
-
 template <class Value>
 CLI::Option* option(CLI::App& app, const std::string& flags, Value& value, const std::string& help) {
     return app.add_option(flags, value, help)->envname(variable_of(flags));
+}
+
+CLI::Option* flag(CLI::App& app, const std::string& flags, bool& value, const std::string& help) {
+    return app.add_flag(flags, value, help)->envname(variable_of(flags));
 }
 
 /// A list fed by repeating the flag; brackets and commas in it are left alone.
@@ -87,8 +72,8 @@ void add_axis_flags(CLI::App& app, std::map<std::string, std::string>& values, b
 }
 
 void add_common(CLI::App& app, CommonFlags& flags) {
-    app.add_flag("-q,--quiet", flags.quiet, "no progress, no hints");
-    app.add_flag("-v,--verbose", flags.verbose, "also show excluded devices, broken drivers and build logs");
+    flag(app, "-q,--quiet", flags.quiet, "no progress, no hints");
+    flag(app, "-v,--verbose", flags.verbose, "also show excluded devices, broken drivers and build logs");
     option(app, "--color", flags.color, "auto, always, never")
         ->check(CLI::IsMember({"auto", "always", "never"}));
     option(app, "--kernel-dir", flags.kernel_dir, "kernels from this folder instead of the embedded ones")
@@ -98,18 +83,20 @@ void add_common(CLI::App& app, CommonFlags& flags) {
 
 void add_measuring(CLI::App& app, RunFlags& flags) {
     option(app, "-w,--warmup", flags.warmup, "untimed samples before the timed ones")
-        ->check(at_least(0, true));
-    option(app, "--samples", flags.samples, "timed samples of a case")->check(at_least(1, true));
+        ->check(whole_number(0, limits::most_repetitions));
+    option(app, "--samples", flags.samples, "timed samples of a case")
+        ->check(whole_number(1, limits::most_repetitions));
     option(app, "--max-time", flags.max_time_s, "no further sample of a case after these seconds")
-        ->check(at_least(0, false));
+        ->check(seconds(false));
     option(app, "--timeout", flags.timeout_s, "a worker silent for longer is killed, seconds")
-        ->check(at_least(0, false));
+        ->check(seconds(false));
     option(app, "--max-total-time", flags.max_total_time_s, "budget of the run in seconds, 0 for none")
-        ->check(at_least(0, true));
-    option(app, "--seed", flags.seed, "seed of the random numbers")->check(whole_number());
+        ->check(seconds(true));
+    option(app, "--seed", flags.seed, "seed of the random numbers")
+        ->check(whole_number(0, limits::most_seed));
     option(app, "--timer", flags.timer, "auto, event, host")->check(CLI::IsMember({"auto", "event", "host"}));
-    app.add_flag("--skip-time", flags.skip_time, "validate only");
-    app.add_flag("--no-isolate", flags.no_isolate, "measure in this process, for profilers and debuggers");
+    flag(app, "--skip-time", flags.skip_time, "validate only");
+    flag(app, "--no-isolate", flags.no_isolate, "measure in this process, for profilers and debuggers");
 }
 
 void add_outputs(CLI::App& app, RunFlags& flags) {
@@ -123,14 +110,14 @@ void add_run(CLI::App& app, RunFlags& flags, bool& list) {
     option(app, "--config", flags.config, "name or file of a config")->capture_default_str();
     list_option(app, "-d,--device", flags.devices,
                 "all, cpu, gpu, accelerator, 0, 0:1, a key, /regex/; repeatable");
-    app.add_flag("--all-devices", flags.all_devices, "every device of this machine");
+    flag(app, "--all-devices", flags.all_devices, "every device of this machine");
     list_option(app, "-a,--axis", flags.axes,
                 "axis of the sweep: spp=[10,100], (spp,size)=[(10,64),(20,32)]; repeatable");
     add_axis_flags(app, flags.axis_values, true);
     add_measuring(app, flags);
     add_outputs(app, flags);
-    app.add_flag("--dry-run", flags.dry_run, "print the plan with its predicted cost");
-    app.add_flag("--dump-config", flags.dump_config, "print the config and end");
+    flag(app, "--dry-run", flags.dry_run, "print the plan with its predicted cost");
+    flag(app, "--dump-config", flags.dump_config, "print the config and end");
     app.add_flag("-l,--list", list, "same as `ptbench list`");
 }
 
@@ -142,8 +129,6 @@ struct Grammar {
 
     explicit Grammar(Options& options) {
         app.footer(footer);
-        app.set_version_flag("--version", std::string("ptbench ") + version::tool);
-        app.allow_extras();
         add_run(app, options.run, list_flag);
         add_common(app, options.common);
         list = app.add_subcommand("list", "devices, kernels, scenes and configs");
@@ -155,7 +140,10 @@ struct Grammar {
         worker->group("");
         worker->add_option("--device", options.worker.device, "key of the device");
         worker->add_flag("--probe", options.worker.probe, "print the devices and end");
-        for (auto* command : {list, render, worker}) command->allow_extras();
+        for (auto* command : {&app, list, render, worker}) {
+            command->set_version_flag("--version", std::string("ptbench ") + version::tool);
+            command->allow_extras();
+        }
     }
 
     void add_render(RenderFlags& flags) {
@@ -163,7 +151,7 @@ struct Grammar {
         render->add_option("-d,--device", flags.device, "one device [the first]");
         render->add_option("-o,--output", flags.output, "file: .exr, .pfm, .png or .ppm");
         render->add_option("--seed", flags.seed, "seed of the random numbers")
-            ->check(whole_number())
+            ->check(whole_number(0, limits::most_seed))
             ->capture_default_str();
         add_axis_flags(*render, flags.axis_values, false);
     }
@@ -185,16 +173,24 @@ std::vector<std::string> known_flags(const CLI::App& app) {
     return flags;
 }
 
-void refuse_leftovers(const Grammar& grammar) {
+void refuse_leftovers(const Grammar& grammar, const std::string& first_word) {
     const auto left = grammar.app.remaining(true);
     if (left.empty()) return;
     const std::string word = left.front().substr(0, left.front().find('='));
     if (word.starts_with("-")) {
-        throw UsageError(
-            fmt::format("unknown option {}{}", word, did_you_mean(word, known_flags(grammar.used()))));
+        throw UsageError(fmt::format("unknown option {}{}", printable(word),
+                                     did_you_mean(word, known_flags(grammar.used()))));
     }
-    throw UsageError(fmt::format("unknown command {}{}; commands: run, list, render", word,
+    if (word != first_word) throw UsageError(fmt::format("unexpected word \"{}\"", printable(left.front())));
+    throw UsageError(fmt::format("unknown command {}{}; commands: run, list, render", printable(word),
                                  did_you_mean(word, {"run", "list", "render"})));
+}
+
+/// What stands before a command would be of `run`, and would do nothing.
+void refuse_late_command(const Grammar& grammar, const std::string& first_word) {
+    const std::string command = grammar.used().get_name();
+    if (&grammar.used() == &grammar.app || command == first_word) return;
+    throw UsageError(fmt::format("{}: a command comes first: ptbench {} [OPTIONS]", command, command));
 }
 
 Options::Command command_of(const Grammar& grammar) {
@@ -203,26 +199,41 @@ Options::Command command_of(const Grammar& grammar) {
     return grammar.worker->parsed() ? Options::Command::worker : Options::Command::run;
 }
 
-std::string first_line_of(const std::string& text) { return text.substr(0, text.find('\n')); }
+/// CLI11's message on one line, in words; with the variable when that is where the value came from.
+std::string reason_of(const CLI::ParseError& error, const std::vector<std::string>& arguments) {
+    std::string text = error.what();
+    text = printable(text.substr(0, text.find('\n')));
+    const std::string flag = text.substr(0, text.find(':'));
+    if (text.find(": At Most 1 required") != std::string::npos) return flag + ": given twice; allowed: once";
+    if (text.ends_with(" required TEXT missing")) return flag + ": its value is missing";
+    const auto gives = [&](const std::string& word) { return word.starts_with(flag); };
+    if (!flag.starts_with("--") || std::any_of(arguments.begin(), arguments.end(), gives)) return text;
+    const char* const value = std::getenv(variable_of(flag).c_str());
+    return value == nullptr ? text : fmt::format("{} ({})", text, variable_of(flag));
+}
 
 }  // namespace
 
 Options parse_options(std::vector<std::string> arguments) {
-    if (!arguments.empty() && arguments.front() == "run") arguments.erase(arguments.begin());
+    const std::string first_word = arguments.empty() ? "" : arguments.front();
+    if (first_word == "run") arguments.erase(arguments.begin());
     std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 takes a vector in
     Options options;
     Grammar grammar(options);
     try {
-        grammar.app.parse(arguments);
+        auto words = arguments;  // which CLI11 empties
+        grammar.app.parse(words);
+        refuse_leftovers(grammar, first_word);
+        refuse_late_command(grammar, first_word);
+        options.command = command_of(grammar);
     } catch (const CLI::CallForHelp&) {
-        options.text = grammar.used().help();
+        options.text = grammar.used().help(&grammar.used() == &grammar.app ? "" : "ptbench");
     } catch (const CLI::CallForVersion& version) {
         options.text = std::string(version.what()) + "\n";
     } catch (const CLI::ParseError& error) {
-        throw UsageError(first_line_of(error.what()));
+        throw UsageError(reason_of(error, arguments));
     }
-    if (options.text.empty()) refuse_leftovers(grammar);
-    options.command = options.text.empty() ? command_of(grammar) : Options::Command::text;
+    if (!options.text.empty()) options.command = Options::Command::text;
     return options;
 }
 

@@ -24,16 +24,20 @@ namespace fs = std::filesystem;
 
 constexpr auto to_stdout = "-";
 
-/// Opens the file for writing as the end of the run will, without leaving a new one behind.
-void check_writable(const std::string& flag, const fs::path& file) {
-    std::error_code ignored;
-    const bool existed = fs::exists(file, ignored);
-    const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
-    if (fd < 0) {
-        throw UsageError(fmt::format("{}: cannot write {}: {}", flag, file.string(), std::strerror(errno)));
+using Files = std::vector<std::pair<std::string, fs::path>>;  ///< format and file
+
+/// Two formats in one file: the second would overwrite the first. Devices like /dev/null take both.
+void refuse_shared_files(const Files& files) {
+    std::map<fs::path, std::string> format_of;
+    for (const auto& [format, file] : files) {
+        std::error_code ignored;
+        if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored)) continue;
+        const auto [entry, is_new] =
+            format_of.try_emplace(fs::weakly_canonical(fs::absolute(file), ignored), format);
+        if (entry->second != format)
+            throw UsageError(fmt::format("{} is to hold both {} and {}; name two files", file.string(),
+                                         entry->second, format));
     }
-    ::close(fd);
-    if (!existed) fs::remove(file, ignored);
 }
 
 void check_asked(const std::vector<std::pair<std::string, std::string>>& asked) {
@@ -86,14 +90,29 @@ std::string file_safe(std::string text) {
     return text;
 }
 
+void check_writable(const std::string& flag, const fs::path& file) {
+    std::error_code ignored;
+    const bool existed = fs::exists(file, ignored);
+    const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
+    if (fd < 0) {
+        throw UsageError(fmt::format("{}: cannot write {}: {}", flag, file.string(), std::strerror(errno)));
+    }
+    ::close(fd);
+    if (!existed) fs::remove(file, ignored);
+}
+
+Outputs::Outputs(fs::path folder) : folder_(std::move(folder)) {}
+
+// Once the delegated constructor is done, the destructor tidies up after one that throws.
 Outputs::Outputs(const RunFlags& flags, const std::string& config, const std::string& started_at)
-    : folder_(flags.out.empty() ? default_folder(config, started_at) : fs::path(flags.out)) {
+    : Outputs(flags.out.empty() ? default_folder(config, started_at) : fs::path(flags.out)) {
     for (const auto& [format, destination] :
          {std::pair("json", flags.json), std::pair("csv", flags.csv), std::pair("md", flags.md)}) {
         if (!destination.empty()) asked_.emplace_back(format, destination);
     }
-    check_asked(asked_);
+    refuse_shared_files(files());
     created_ = create_folder(folder_);
+    check_asked(asked_);
     check_writable("--out", folder_ / "result.json");
 }
 
@@ -114,6 +133,8 @@ std::map<Case, std::string> Outputs::pictures(const std::vector<Case>& cases) {
         files[c] = (folder_ / (file_safe(c.device) + ".png")).string();
         pictures_.insert(files[c]);
     }
+    std::error_code ignored;
+    for (const auto& file : pictures_) fs::remove(file, ignored);  // an older run's is none of this one's
     return files;
 }
 
@@ -131,13 +152,17 @@ void Outputs::write(const ResultFile& result, const PublishedTable& published) {
     }
 }
 
-void Outputs::write_all(const ResultFile& result, const PublishedTable& published) {
-    std::vector<std::pair<std::string, fs::path>> files{
+std::vector<std::pair<std::string, fs::path>> Outputs::files() const {
+    Files files{
         {"json", folder_ / "result.json"}, {"csv", folder_ / "result.csv"}, {"md", folder_ / "table.md"}};
     for (const auto& [format, destination] : asked_) {
         if (destination != to_stdout) files.emplace_back(format, destination);
     }
-    for (const auto& [format, file] : files) {
+    return files;
+}
+
+void Outputs::write_all(const ResultFile& result, const PublishedTable& published) {
+    for (const auto& [format, file] : files()) {
         write_file(file, text_in(format, result, published));
         written_.push_back(file.string());
     }

@@ -23,7 +23,7 @@ class Outputs {
     Outputs& operator=(const Outputs&) = delete;
 
     /// The picture of each device: cases in plan order write it, each as good as those before it or better,
-    /// so that a case that is skipped does not leave a device without one.
+    /// so that a case that is skipped does not leave a device without one. Removes those of an older run.
     std::map<Case, std::string> pictures(const std::vector<Case>& cases);
     std::filesystem::path journal() const { return folder_ / "journal.jsonl"; }
     bool stdout_is_taken() const;
@@ -36,6 +36,9 @@ class Outputs {
     std::vector<std::string> written() const;
 
   private:
+    explicit Outputs(std::filesystem::path folder);
+    /// Format and file of all that is written beside stdout.
+    std::vector<std::pair<std::string, std::filesystem::path>> files() const;
     void write_all(const ResultFile& result, const PublishedTable& published);
 
     std::filesystem::path folder_;
@@ -44,6 +47,10 @@ class Outputs {
     std::vector<std::string> written_;
     std::set<std::string> pictures_;
 };
+
+/// Opens a file for writing as the end of a run will, without leaving a new one behind. Throws UsageError
+/// that names the flag.
+void check_writable(const std::string& flag, const std::filesystem::path& file);
 
 /// `text` as part of a file name: letters, digits, '.', '_' and '-' stay.
 std::string file_safe(std::string text);

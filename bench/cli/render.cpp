@@ -5,18 +5,22 @@
 #include "bench/cli/commands.h"
 #include "bench/cli/exit_code.h"
 #include "bench/cli/interrupt.h"
+#include "bench/cli/outputs.h"
+#include "bench/cli/tell.h"
+#include "bench/record/printable.h"
 #include "bench/worker/render_job.h"
+#include "core/image/image_io.h"
 
 namespace ptb {
 namespace {
 
 void check_output(const std::string& output) {
     if (output.empty()) throw UsageError("render: -o FILE is missing (.exr, .pfm, .png or .ppm)");
-    for (const char* extension : {".exr", ".pfm", ".png", ".ppm"}) {
-        if (output.ends_with(extension)) return;
+    if (!is_image_file(output)) {
+        throw UsageError(fmt::format(
+            "-o: found \"{}\"; allowed: a file that ends in .exr, .pfm, .png or .ppm", printable(output)));
     }
-    throw UsageError(
-        fmt::format("-o: found \"{}\"; allowed: a file that ends in .exr, .pfm, .png or .ppm", output));
+    check_writable("-o", output);
 }
 
 DeviceInfo choose_device(const std::string& selector, const std::vector<DeviceInfo>& devices) {
@@ -34,10 +38,7 @@ Case case_of(const RenderFlags& flags) {
     return c;
 }
 
-void show_progress(double done) {
-    fmt::print(stderr, "\r{:3.0f} %", 100 * done);
-    std::fflush(stderr);
-}
+void show_progress(double done) { put(stderr, fmt::format("\r{:3.0f} %", 100 * done)); }
 
 }  // namespace
 
@@ -47,7 +48,7 @@ int render_command(const Options& options) {
     RenderRequest request{case_of(flags), flags.seed, options.common.kernel_dir, flags.output};
     const DeviceList list = find_devices(options.common);
     if (!any_usable(list)) {
-        fmt::print(stderr, "{}\n", no_device_text(list));
+        put(stderr, no_device_text(list) + "\n");
         return exit_codes::no_device;
     }
     const DeviceInfo device = choose_device(flags.device, list.devices);
@@ -56,13 +57,11 @@ int render_command(const Options& options) {
     request.params.device = local_key(device.key);
     const auto& stop = watch_for_interruption();
     const bool live = !options.common.quiet && ::isatty(STDERR_FILENO) != 0;
-    const int code = render_to_file(
+    const bool whole = render_to_file(
         request, live ? show_progress : [](double) {}, stop);
-    if (live) fmt::print(stderr, "\r\033[K");
-    if (code != exit_codes::done) return code;
-    if (!options.common.quiet)
-        fmt::print(stderr, "written: {}{}\n", flags.output, stop ? " (interrupted)" : "");
-    return stop ? exit_codes::interrupted : exit_codes::done;
+    if (live) put(stderr, "\r\033[K");
+    tell(options.common, "written: " + flags.output + (whole ? "" : " (interrupted: as far as it got)"));
+    return whole ? exit_codes::done : exit_codes::interrupted;
 }
 
 }  // namespace ptb

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>
@@ -106,6 +107,9 @@ ResultFile start_result(const Prepared& prepared, const Options& options,
     result.run = run_info(argv, prepared.config.name, prepared.config.measure.seed);
     result.host = host_info();
     result.devices = prepared.plan.devices;
+    std::copy_if(prepared.list.devices.begin(), prepared.list.devices.end(),
+                 std::back_inserter(result.devices),
+                 [](const DeviceInfo& device) { return !device.excluded.empty(); });
     result.broken_icds = prepared.list.broken;
     result.warnings = warnings_before(result.host, options);
     return result;
@@ -122,8 +126,8 @@ void run_plan(const Options& options, const Prepared& prepared, const Outputs& o
 }
 
 void report(const Options& options, const Prepared& prepared, Outputs& outputs, const ResultFile& result) {
-    fmt::print(outputs.stdout_is_taken() ? stderr : stdout, "{}", table(result, prepared.published));
-    std::fflush(stdout);
+    const bool taken = outputs.stdout_is_taken();
+    if (!taken || !options.common.quiet) put(taken ? stderr : stdout, table(result, prepared.published));
     tell_build_logs(options.common, result.cases);
     outputs.write(result, prepared.published);
     tell(options.common, fmt::format("written: {}", fmt::join(outputs.written(), " ")));
@@ -159,7 +163,7 @@ int dry_run(const Options& options, const Prepared& prepared, const Stopped& sto
     Coordinator coordinator(plan, channels(options, prepared.config, stopped), stopped);
     const Forecast forecast = options.common.quiet ? Forecast(plan.measure) : coordinator.estimate();
     tell(options.common, prediction_text(forecast, plan.cases, plan.max_total_time_s));
-    fmt::print("{}", plan_text(plan.cases, forecast));
+    put(stdout, plan_text(plan.cases, forecast));
     return stopped() ? exit_codes::interrupted : exit_codes::done;
 }
 
@@ -167,12 +171,12 @@ int dry_run(const Options& options, const Prepared& prepared, const Stopped& sto
 
 int run_command(const Options& options, const std::vector<std::string>& argv) {
     if (options.run.dump_config) {
-        fmt::print("{}\n", dump_config(configured(options.run, options.common)));
+        put(stdout, dump_config(configured(options.run, options.common)));
         return exit_codes::done;
     }
     Prepared prepared = prepare(options);
     if (prepared.plan.devices.empty()) {
-        fmt::print(stderr, "{}\n", no_device_text(prepared.list));
+        put(stderr, no_device_text(prepared.list) + "\n");
         return exit_codes::no_device;
     }
     tell_what_is_left_out(options.common, prepared.list);

@@ -10,8 +10,13 @@
 
 namespace ptb {
 
+void put(std::FILE* out, const std::string& text) {
+    std::fputs(text.c_str(), out);
+    std::fflush(out);
+}
+
 void tell(const CommonFlags& flags, const std::string& line) {
-    if (!flags.quiet && !line.empty()) fmt::print(stderr, "{}\n", line);
+    if (!flags.quiet && !line.empty()) put(stderr, line + "\n");
 }
 
 bool use_colour(const CommonFlags& flags, std::FILE* out) {

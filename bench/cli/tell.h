@@ -9,6 +9,10 @@
 
 namespace ptb {
 
+/// Writes text. Never throws: a reader who has left must not cost a run its results; `main` asks stdout at
+/// the end whether all was taken.
+void put(std::FILE* out, const std::string& text);
+
 /// Says to stderr what only matters to a person who watches; nothing under -q, and nothing for an empty line.
 void tell(const CommonFlags& flags, const std::string& line);
 

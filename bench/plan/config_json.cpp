@@ -6,27 +6,31 @@
 
 #include <fmt/format.h>
 
+#include "bench/plan/limits.h"
 #include "bench/plan/nearest.h"
 
 namespace ptb {
 namespace {
 
-constexpr int most_repetitions = 1'000'000;
-constexpr double most_seconds = 1e9;
-
 void read_count(const Json& json, const Where& where, int least, int& value) {
     if (json.is_number()) decode(json, where, value);
-    if (!json.is_number() || value < least || value > most_repetitions)
-        where.refuse(json, fmt::format("an integer from {} to {}", least, most_repetitions));
+    if (!json.is_number() || value < least || value > limits::most_repetitions)
+        where.refuse(json, fmt::format("an integer from {} to {}", least, limits::most_repetitions));
 }
 
 void read_seconds(const Json& json, const Where& where, bool zero_allowed, double& value) {
     if (json.is_number()) decode(json, where, value);
     const bool good =
-        json.is_number() && (value > 0 || (zero_allowed && value == 0)) && value <= most_seconds;
+        json.is_number() && (value > 0 || (zero_allowed && value == 0)) && value <= limits::most_seconds;
     if (!good)
         where.refuse(json,
                      fmt::format("seconds, {}, at most 1e9", zero_allowed ? "0 or more" : "more than 0"));
+}
+
+void read_seed(const Json& json, const Where& where, std::uint64_t& value) {
+    if (json.is_number_unsigned()) decode(json, where, value);
+    if (!json.is_number_unsigned() || value > limits::most_seed)
+        where.refuse(json, fmt::format("an integer from 0 to {}", limits::most_seed));
 }
 
 void read_timer(const Json& json, const Where& where, std::string& value) {
@@ -66,7 +70,7 @@ const std::vector<std::pair<std::string, Reader>>& readers() {
         {"max_time", [](J j, W w, Config& c) { read_seconds(j, w, false, c.measure.max_time_s); }},
         {"max_total_time", [](J j, W w, Config& c) { read_seconds(j, w, true, c.max_total_time_s); }},
         {"timeout", [](J j, W w, Config& c) { read_seconds(j, w, false, c.timeout_s); }},
-        {"seed", [](J j, W w, Config& c) { decode(j, w, c.measure.seed); }},
+        {"seed", [](J j, W w, Config& c) { read_seed(j, w, c.measure.seed); }},
         {"timer", [](J j, W w, Config& c) { read_timer(j, w, c.measure.timer); }},
         {"skip_time", [](J j, W w, Config& c) { decode(j, w, c.measure.skip_time); }},
         {"kernel_dir", [](J j, W w, Config& c) { decode(j, w, c.measure.kernel_dir); }},

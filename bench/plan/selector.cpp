@@ -94,10 +94,11 @@ std::string device_list(const std::vector<DeviceInfo>& devices) {
     }
     std::vector<std::string> words = {"all", "cpu", "gpu", "accelerator"};
     for (const DeviceInfo& d : devices) words.push_back(d.key);
-    throw UsageError(
-        fmt::format("device: \"{}\" matches none{}; allowed: all, cpu, gpu, accelerator, /regex/, or one of "
-                    "{}",
-                    printable(selector), did_you_mean(selector, words), device_list(devices)));
+    const bool well_spelled = std::find(words.begin(), words.end(), lower(selector)) != words.end();
+    throw UsageError(fmt::format(
+        "device: \"{}\" matches none{}; allowed: all, cpu, gpu, accelerator, /regex/, or one of "
+        "{}",
+        printable(selector), well_spelled ? "" : did_you_mean(selector, words), device_list(devices)));
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ Section remarks_section(const ResultFile& result) {
         section.notes.push_back("interrupted: these are the cases measured until then");
     for (const auto& warning : result.warnings) section.notes.push_back("warning: " + warning);
     for (const BrokenIcd& icd : result.broken_icds)
-        section.notes.push_back(icd.icd + " is broken: " + icd.reason);
+        section.notes.push_back(icd.icd + " is not usable: " + icd.reason);
     for (const DeviceInfo& device : result.devices)
         if (!device.excluded.empty())
             section.notes.push_back(device.key + " is not used: " + device.excluded);

@@ -31,10 +31,12 @@ std::string with_last_words(const std::string& ending, const WorkerProcess& proc
     return words.empty() ? ending : fmt::format("{}: {}", ending, words);
 }
 
-std::vector<DeviceInfo> answer(Asked& asked, Clock::time_point deadline, milliseconds patience) {
+std::vector<DeviceInfo> answer(Asked& asked, Clock::time_point deadline, milliseconds patience,
+                               const Stopped& stopped) {
     std::string line;
     const auto left = std::chrono::duration_cast<milliseconds>(deadline - Clock::now());
-    const ReadStatus status = asked.process.read_line(line, std::max(left, milliseconds(0)));
+    const ReadStatus status = asked.process.read_line(line, std::max(left, milliseconds(0)), stopped);
+    if (status == ReadStatus::interrupted) throw std::runtime_error("interrupted");
     if (status == ReadStatus::silent) {
         throw std::runtime_error(fmt::format("no answer within {:g} s", double(patience.count()) / 1000));
     }
@@ -87,7 +89,8 @@ ChildCommand worker_command(const WorkerLaunch& launch, const IcdFolder& icd_fol
     return command;
 }
 
-DeviceList probe(const std::vector<Icd>& icds, const WorkerLaunch& launch, milliseconds patience) {
+DeviceList probe(const std::vector<Icd>& icds, const WorkerLaunch& launch, milliseconds patience,
+                 const Stopped& stopped) {
     const auto deadline = Clock::now() + patience;
     std::vector<std::unique_ptr<Asked>> all;
     for (const Icd& icd : icds) all.push_back(std::make_unique<Asked>(icd, launch));
@@ -95,7 +98,7 @@ DeviceList probe(const std::vector<Icd>& icds, const WorkerLaunch& launch, milli
     std::vector<std::vector<DeviceInfo>> by_icd;
     for (const auto& asked : all) {
         try {
-            by_icd.push_back(answer(*asked, deadline, patience));
+            by_icd.push_back(answer(*asked, deadline, patience, stopped));
             for (DeviceInfo& device : by_icd.back()) device.icd = asked->icd.file;
         } catch (const std::exception& error) {
             list.broken.push_back({asked->icd == any_icd ? "any driver" : asked->icd.file, error.what()});

@@ -27,10 +27,12 @@ struct WorkerLaunch {
 ChildCommand worker_command(const WorkerLaunch& launch, const IcdFolder& icd_folder,
                             std::vector<std::string> arguments);
 
+inline constexpr std::chrono::seconds probe_patience(10);
+
 /// Asks each driver in a process of its own, all at the same time. A driver that crashes, hangs or answers
-/// nonsense becomes one line in `broken`.
+/// nonsense, or does not before `stopped`, becomes one line in `broken`.
 DeviceList probe(const std::vector<Icd>& icds, const WorkerLaunch& launch,
-                 std::chrono::milliseconds patience = std::chrono::seconds(10));
+                 std::chrono::milliseconds patience = probe_patience, const Stopped& stopped = {});
 
 /// Numbers platforms and devices across drivers, makes keys unique and excludes devices found twice. `by_icd`
 /// in the order of the drivers.

@@ -118,9 +118,8 @@ void ProgressPrinter::finished(std::size_t index, const Record& record) {
     if (record.status != Status::skipped) eta_.finished(index, now_s_() - case_start_s_);
     if (style_ == ProgressStyle::silent) return;
     const std::string line = finished_line(index + 1, total_, record);
-    fmt::print(out_, "{}{}\n", style_ == ProgressStyle::live ? "\r\033[K" : "",
-               colour_ ? coloured(line, record.status) : line);
-    std::fflush(out_);
+    write((style_ == ProgressStyle::live ? "\r\033[K" : "") +
+          (colour_ ? coloured(line, record.status) : line) + "\n");
 }
 
 double ProgressPrinter::eta_s(std::size_t index) const {
@@ -131,7 +130,12 @@ double ProgressPrinter::eta_s(std::size_t index) const {
 
 void ProgressPrinter::show(const ProgressView& view) {
     if (style_ != ProgressStyle::live) return;
-    fmt::print(out_, "\r{}\033[K", live_line(view, columns_of(out_) - 1));
+    write(fmt::format("\r{}\033[K", live_line(view, columns_of(out_) - 1)));
+}
+
+/// Never throws: a run goes on when nobody reads its progress any more.
+void ProgressPrinter::write(const std::string& text) {
+    std::fputs(text.c_str(), out_);
     std::fflush(out_);
 }
 

@@ -60,6 +60,7 @@ class ProgressPrinter : public RunObserver {
 
   private:
     void show(const ProgressView& view);
+    void write(const std::string& text);
     double eta_s(std::size_t index) const;
 
     std::FILE* out_;

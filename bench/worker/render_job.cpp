@@ -9,8 +9,8 @@
 
 namespace ptb {
 
-int render_to_file(const RenderRequest& request, std::function<void(double done)> progress,
-                   const std::atomic<bool>& stop) {
+bool render_to_file(const RenderRequest& request, std::function<void(double done)> progress,
+                    const std::atomic<bool>& stop) {
     const Case& c = request.params;
     const Scene scene = load_scene(scene_file(c.scene, data_dir()));
     const Integrator& kernel = integrator(c.kernel);
@@ -33,7 +33,7 @@ int render_to_file(const RenderRequest& request, std::function<void(double done)
         return !stop.load();
     });
     write_image(request.output, render->read_film().mean);
-    return stop ? 130 : 0;
+    return render->samples_left() == 0;
 }
 
 }  // namespace ptb

@@ -16,9 +16,9 @@ struct RenderRequest {
     std::string kernel_dir, output;  ///< output: .exr, .pfm, .png or .ppm
 };
 
-/// Renders in this process and writes the file; `stop` ends it early and keeps what is rendered. Returns an
-/// exit code.
-int render_to_file(const RenderRequest& request, std::function<void(double done)> progress,
-                   const std::atomic<bool>& stop);
+/// Renders in this process and writes the file; `stop` ends it early and keeps what is rendered. True when
+/// the picture is whole.
+bool render_to_file(const RenderRequest& request, std::function<void(double done)> progress,
+                    const std::atomic<bool>& stop);
 
 }  // namespace ptb

@@ -202,7 +202,7 @@ TEST(Table, what_spoils_a_run_is_remarked) {
     f.broken_icds = {{"bad.icd", "killed by SIGSEGV (11)"}};
     f.devices[0].excluded = "the same device as gpu:0";
     EXPECT_THAT(remarks_section(f).notes, ElementsAre(HasSubstr("interrupted"), "warning: load is 7.5",
-                                                      "bad.icd is broken: killed by SIGSEGV (11)",
+                                                      "bad.icd is not usable: killed by SIGSEGV (11)",
                                                       "pocl:0 is not used: the same device as gpu:0"));
 }
 

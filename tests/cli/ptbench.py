@@ -1,0 +1,114 @@
+"""Runs ptbench in a scratch folder of its own, with PoCL's driver alone."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+BINARY = os.environ["PTBENCH"]
+SOURCE = pathlib.Path(os.environ["PTB_SOURCE_DIR"])
+
+# A case that takes milliseconds; its validation at path length 2 takes less than a second.
+TINY = ("--kernel", "pt", "--size", "16", "--spp", "2", "--path-length", "2", "--wg", "implicit", "--samples", "1",
+        "--warmup", "0", "--timeout", "60")
+ONE = ("-d", "pocl:1", *TINY)
+
+
+def pocl_icd():
+    """The installed .icd file of PoCL."""
+    folder = pathlib.Path(os.environ.get("OCL_ICD_VENDORS") or "/etc/OpenCL/vendors")
+    return next(file for file in sorted(folder.glob("*.icd")) if "pocl" in file.read_text())
+
+
+def changed(words, **values):
+    """`words` with other values: changed(TINY, spp=4, path_length=5)."""
+    words = [str(word) for word in words]
+    for flag, value in values.items():
+        words[words.index("--" + flag.replace("_", "-")) + 1] = str(value)
+    return words
+
+
+class Scratch:
+    """A folder to work in, a folder of drivers and one for temporary files; used by a class or by each test."""
+
+    def __init__(self):
+        self.root = pathlib.Path(tempfile.mkdtemp(prefix="ptbench-cli-"))
+        for name in ("work", "icds", "tmp"):
+            (self.root / name).mkdir()
+        self.work, self.icds = self.root / "work", self.root / "icds"
+        shutil.copy(pocl_icd(), self.icds / "pocl.icd")
+
+    def remove(self):
+        shutil.rmtree(self.root)
+
+    def environment(self, **variables):
+        kept = {name: value for name, value in os.environ.items() if not name.startswith("PTBENCH")}
+        return {**kept, "OCL_ICD_VENDORS": str(self.icds), "OCL_ICD_FILENAMES": "",
+                "TMPDIR": str(self.root / "tmp"), **variables}
+
+    def start(self, *words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, **variables):
+        return subprocess.Popen([BINARY, *map(str, words)], cwd=self.work, env=self.environment(**variables),
+                                stdin=subprocess.DEVNULL, stdout=stdout, stderr=stderr, text=True)
+
+    def run(self, *words, timeout=60, **options):
+        with self.start(*words, **options) as process:
+            try:
+                out, err = process.communicate(timeout=timeout)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                raise
+        return subprocess.CompletedProcess(process.args, process.returncode, out, err)
+
+    def write(self, name, content):
+        text = content if isinstance(content, str) else json.dumps(content)
+        (self.work / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.work / name).write_text(text)
+        return name
+
+    def result(self, folder="out"):
+        return json.loads((self.work / folder / "result.json").read_text())
+
+    def files(self):
+        return sorted(str(file.relative_to(self.work)) for file in self.work.rglob("*"))
+
+    def temporary_files(self):
+        return sorted(file.name for file in (self.root / "tmp").iterdir())
+
+
+class CliTest(unittest.TestCase):
+    """Each test has a scratch folder; none may leave temporary files."""
+
+    def setUp(self):
+        self.scratch = Scratch()
+        self.addCleanup(self.scratch.remove)
+
+    def tearDown(self):
+        self.assertEqual(self.scratch.temporary_files(), [], "temporary files are left behind")
+
+    def run_ok(self, *words, code=0, **options):
+        result = self.scratch.run(*words, **options)
+        self.assertEqual(result.returncode, code, f"{result.args}\n{result.stdout}{result.stderr}")
+        return result
+
+    def assert_refused(self, *words, says=(), code=2, **variables):
+        """One line on stderr with every part of `says`, the exit code, nothing on stdout, no file."""
+        before = self.scratch.files()
+        result = self.run_ok(*words, code=code, **variables)
+        lines = result.stderr.splitlines()
+        self.assertEqual(len(lines), 1, result.stderr)
+        for part in [says] if isinstance(says, str) else says:
+            self.assertIn(part, lines[0])
+        for noise in ("what()", "terminate", "exception", "std::"):
+            self.assertNotIn(noise, lines[0])
+        self.assertEqual(result.stdout, "")
+        self.assertEqual(self.scratch.files(), before, "files were left behind")
+        return lines[0]
+
+    def only_case(self, *words, code=0, **options):
+        """The single record of a run into `out`."""
+        self.run_ok(*words, "--out", "out", "-q", code=code, **options)
+        (record,) = self.scratch.result()["cases"]
+        return record

@@ -1,0 +1,78 @@
+"""Every command of README.md runs as it stands there; a run that would take long, with --dry-run."""
+
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import unittest
+
+from ptbench import SOURCE, CliTest
+
+DOCUMENTS = ("README.md", "CONTRIBUTING.md")
+TREE = pathlib.Path(os.environ["PTB_BINARY_DIR"]).parent
+SHORT = ("list", "render", "--dry-run", "--dump-config", "--csv")  # these run for real
+
+
+def commands():
+    """Lines of the documents' ```sh blocks, without their comments."""
+    for document in DOCUMENTS:
+        for block in re.findall(r"```sh\n(.*?)```", (SOURCE / document).read_text(), re.S):
+            for line in block.splitlines():
+                yield re.sub(r"\s+#.*", "", line)
+
+
+class Readme(CliTest):
+    def ptbench(self, line):
+        redirected = re.fullmatch(r"(.*?) > (\S+)", line)
+        words = shlex.split(redirected[1] if redirected else line)[1:]
+        if "gpu" in words:
+            words[words.index("gpu")] = "cpu"  # this test has none
+        if not any(part in line for part in SHORT):
+            words.append("--dry-run")
+        result = self.run_ok(*words, POCL_DEVICES="pthread")
+        if redirected:
+            self.scratch.write(redirected[2], result.stdout)
+
+    def shell(self, line):
+        run = subprocess.run(line, shell=True, cwd=SOURCE, capture_output=True, text=True, check=False)
+        self.assertEqual(run.returncode, 0, f"{line}\n{run.stdout}{run.stderr}")
+
+    def test_every_command_runs(self):
+        seen = set()
+        for line in commands():
+            with self.subTest(line):
+                program = shlex.split(line)[0]
+                seen.add(program)
+                if program == "ptbench":
+                    self.ptbench(line)
+                elif program == "scripts/bench.sh":
+                    self.shell(f"{line} --dry-run") if TREE == SOURCE / "build/release" else None
+                elif program == "scripts/test.sh":
+                    pass  # what runs this test
+                elif line.startswith("cmake --preset"):
+                    self.shell(f"{line} -N")
+                elif line.startswith("cmake --build"):
+                    self.shell(f"{line} -- -n") if TREE == SOURCE / "build/release" else None
+                elif program.startswith("scripts/"):
+                    self.assertTrue(os.access(SOURCE / program, os.X_OK), program)
+                else:
+                    self.fail(f"no way to test: {line}")
+        self.assertGreaterEqual(seen, {"ptbench", "scripts/bench.sh", "scripts/test.sh", "cmake"})
+
+    def test_links_lead_somewhere(self):
+        for document in SOURCE.glob("**/*.md"):
+            if "build" in document.relative_to(SOURCE).parts:
+                continue
+            for target in re.findall(r"\]\((?!https?:)([^)#]+)", document.read_text()):
+                with self.subTest(document=document.name, target=target):
+                    self.assertTrue((document.parent / target).exists())
+
+    def test_exit_codes_are_those_of_the_help(self):
+        table = set(re.findall(r"^\| (\d+) \|", (SOURCE / "README.md").read_text(), re.M))
+        told = self.run_ok("--help").stdout.split("Exit codes:")[1].split("\n")[0]
+        self.assertEqual(table, set(re.findall(r"\b(\d+) ", told)))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,167 @@
+"""A mistake in flags, axes, configs or scenes: exit code 2, one line that says what and what is allowed, no file."""
+
+import json
+import unittest
+
+from ptbench import SOURCE, CliTest
+
+THESIS_SCENE = (SOURCE / "configs/scenes/thesis.json").read_text()
+
+
+class Flags(CliTest):
+    def refused(self, *words, says):
+        return self.assert_refused(*words, says=["error: ", *says])
+
+    def test_an_unknown_flag_gets_the_nearest_match(self):
+        self.refused("--sppp", "10", says=["--sppp", "did you mean --spp?"])
+        self.refused("render", "--outptu", "x.png", says=["--outptu", "did you mean --output?"])
+        self.refused("list", "--jsn", says=["--jsn", "did you mean --json?"])
+
+    def test_an_unknown_command_gets_the_nearest_match(self):
+        self.refused("rendr", says=["rendr", "did you mean render?", "run, list, render"])
+        self.refused("list", "extra", says=['unexpected word "extra"'])
+        self.refused("--spp", "1", "2", says=['unexpected word "2"'])
+
+    def test_a_flag_before_the_command_is_not_dropped(self):
+        self.refused("-d", "gpu", "render", "-o", "x.png", says=["render", "comes first"])
+        self.refused("run", "list", says=["list", "comes first"])
+
+    def test_values_out_of_range(self):
+        for words, allowed in [
+            (("--size", "0"), "N or WIDTHxHEIGHT"),
+            (("--size", "16x"), "N or WIDTHxHEIGHT"),
+            (("--size", "100000x100000"), "pixels in all"),
+            (("--spp", "0"), "an integer from 1"),
+            (("--spp", "99999999999"), "an integer from 1"),
+            (("--path-length", "0"), "an integer from 1"),
+            (("--path-length", "-3"), "an integer from 1"),
+            (("--wg", "0"), "implicit"),
+            (("--wg", "8y8"), "implicit"),
+            (("--lanes", "5"), "auto, 1, 4, 8, 16"),
+            (("--samples", "0"), "an integer from 1 to 1000000"),
+            (("--samples", "1.5"), "an integer from 1 to 1000000"),
+            (("--warmup", "-1"), "an integer from 0"),
+            (("--seed", "4294967296"), "to 4294967295"),
+            (("--max-time", "nan"), "more than 0"),
+            (("--max-time", "1e10"), "at most 1e9"),
+            (("--timeout", "0"), "more than 0"),
+            (("--max-total-time", "-1"), "0 or more"),
+            (("--timer", "sun"), "auto"),
+            (("--color", "pink"), "never"),
+            (("--kernel-dir", "missing"), "missing"),
+        ]:
+            with self.subTest(words):
+                axis = {"--wg": "work_group"}.get(words[0], words[0].strip("-").replace("-", "_"))
+                line = self.refused(*words, says=[allowed])
+                self.assertTrue(words[0] in line or axis in line, line)
+
+    def test_work_that_no_counter_holds(self):
+        self.refused("--spp", "2147483647", says=["spp x path_length", "2147483647 x 128", "4294967296"])
+
+    def test_repeated_and_contradictory_flags(self):
+        self.refused("--spp", "1", "--spp", "2", says=["--spp: given twice"])
+        self.refused("-a", "spp=1", "--spp", "2", "--dry-run", says=["spp: given twice"])
+        self.refused("-a", "spp=1", "-a", "(spp,size)=[(1,8)]", "--dry-run", says=["spp: given twice"])
+        self.refused("--csv", says=["--csv: its value is missing"])
+        self.refused("--json", "-", "--csv", "-", says=["only one", "stdout"])
+        self.refused("--json", "x", "--csv", "./x", says=["both json and csv"])
+
+    def test_a_variable_is_named_when_the_value_came_from_it(self):
+        line = self.assert_refused("--dry-run", PTBENCH_SAMPLES="none", says=["--samples", '"none"', "PTBENCH_SAMPLES"])
+        self.assertTrue(line.startswith("error: "))
+
+    def test_a_data_folder_that_is_none(self):
+        self.assert_refused("list", PTBENCH_DATA_DIR="/missing", says=["/missing has no configs/", "PTBENCH_DATA_DIR"])
+
+    def test_no_control_characters_reach_the_terminal(self):
+        self.assertNotIn("\x1b", self.refused("--\x1b[31m", says=["unknown option"]))
+        self.assertNotIn("\x1b", self.refused("--scene", "\x1b[31m", says=["scene"]))
+
+
+class Axes(CliTest):
+    def refused(self, text, *says):
+        self.assert_refused("-a", text, says=["error: ", *says])
+
+    def test_bad_axis_text(self):
+        self.refused("foo", '"foo"', "NAME=VALUE")
+        self.refused("spp=[1,", "spp", "a list in brackets")
+        self.refused("spp=[]", "spp", "at least one value")
+        self.refused("spp=[10:1:2]", "10:1:2", "ascending")
+        self.refused("spp=[1:9:x1]", "1:9:x1", "FIRST:LAST:xFACTOR")
+        self.refused("spp=[1:1000000:1]", "at most 4096 values")
+        self.refused("(spp,size)=[(1,2,3)]", "(spp,size)", "2 values")
+        self.refused("(spp,spp)=[(1,2)]", "spp", "twice")
+
+    def test_unknown_axis_name(self):
+        self.refused("spq=3", '"spq"', "did you mean spp?", "path_length")
+        self.refused("device=cpu", "not an axis", "-d")
+
+    def test_unknown_names_get_the_nearest_and_what_there_is(self):
+        for words, says in [
+            (("--kernel", "ptt"), ('"ptt"', "did you mean pt?", "thesis, pt")),
+            (("--scene", "thesi"), ('"thesi"', "did you mean thesis?", "free_light, furnace, thesis")),
+            (("--config", "quik"), ('"quik"', "did you mean quick?", "ci, quick, thesis")),
+            (("--config", "."), ("no file", "ci, quick, thesis")),
+        ]:
+            with self.subTest(words):
+                self.assert_refused(*words, says=says)
+        self.assert_refused("render", "--kernel", "ptt", "-o", "x.png", says="did you mean pt?")
+
+
+class Configs(CliTest):
+    def refused(self, content, *says):
+        name = self.scratch.write("my.json", content)
+        self.assert_refused("--config", name, "--dry-run", says=["my.json", *says])
+
+    def test_unknown_keys_are_named_by_their_pointer(self):
+        self.refused({"serie": []}, "/serie", "did you mean series?")
+        self.refused({"series": [{"spp": 1}, {"spq": 3}]}, "/series/1/spq", "did you mean spp?")
+
+    def test_values_are_named_by_their_pointer(self):
+        self.refused({"max_time": -1}, "/max_time", "-1", "more than 0")
+        self.refused({"samples": 0}, "/samples", "from 1")
+        self.refused({"series": [{"spp": [4, 0]}]}, "/series/0/spp", '"0"', "from 1")
+        self.refused({"series": []}, "/series", "at least one")
+        self.refused({"series": [{"kernel": "pt", "(kernel,spp)": [["pt", 1]]}]}, "/series/0", "kernel")
+
+    def test_what_is_no_json(self):
+        self.refused('{"max_time": NaN}', "line 1")
+        self.refused('{"max_time": 1,', "end of input")
+        self.refused("", "end of input")
+        self.refused('{"name": "x", "name": "y"}', '"name"', "twice")
+        self.refused("[" * 100_000, "")
+
+
+class Scenes(CliTest):
+    def refused(self, content, *says, command=("--dry-run",)):
+        name = self.scratch.write("my.json", content)
+        self.assert_refused(*command, "--scene", name, says=["my.json", *says])
+
+    def changed(self, change):
+        scene = json.loads(THESIS_SCENE)
+        change(scene)
+        return scene
+
+    def test_unknown_keys_are_named_by_their_pointer(self):
+        self.refused(self.changed(lambda s: s.update(sphere=[])), "/sphere", "spheres")
+        self.refused(self.changed(lambda s: s["spheres"][3].update(radios=1)), "/spheres/3/radios", "radius")
+
+    def test_undefined_material(self):
+        self.refused(self.changed(lambda s: s["spheres"][3].update(material="pinkk")), "/spheres/3/material", "pinkk",
+                     "pink")
+
+    def test_negative_radius_and_no_spheres(self):
+        self.refused(self.changed(lambda s: s["spheres"][3].update(radius=-2)), "/spheres/3/radius", "-2", "> 0")
+        self.refused(self.changed(lambda s: s.update(spheres=[])), "/spheres", "at least one sphere")
+
+    def test_what_is_no_json(self):
+        self.refused(self.changed(lambda s: s["spheres"][3].update(radius=float("nan"))), "N")
+        self.refused(THESIS_SCENE.replace('"name"', '"name": "a", "name"', 1), '"name"', "twice")
+
+    def test_render_refuses_the_same(self):
+        bad = self.changed(lambda s: s["spheres"][3].update(radius=-2))
+        self.refused(bad, "/spheres/3/radius", command=("render", "-o", "x.png"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,83 @@
+"""`ptbench render`: pictures by extension, the same bits for every work-group, and what interruption keeps."""
+
+import signal
+import time
+import unittest
+
+from formats import pfm_pixels, png_size
+from ptbench import SOURCE, CliTest
+
+SMALL = ("render", "-d", "pocl:1", "--size", "12x8", "--spp", "4", "--path-length", "5")
+
+
+class Render(CliTest):
+    def picture(self, *words, name="x.pfm"):
+        self.run_ok(*words, "-o", name, "-q")
+        return (self.scratch.work / name).read_bytes()
+
+    def test_each_extension_is_its_format(self):
+        self.assertEqual(png_size(self.picture(*SMALL, name="x.png")), (12, 8))
+        self.assertTrue(self.picture(*SMALL, name="x.ppm").startswith(b"P3\n12 8\n255\n"))
+        self.assertEqual(self.picture(*SMALL, name="x.exr")[:4], b"\x76\x2f\x31\x01")
+        size, pixels = pfm_pixels(self.picture(*SMALL))
+        self.assertEqual(size, (12, 8))
+        self.assertTrue(all(value >= 0 for value in pixels) and max(pixels) > 0)
+
+    def test_what_was_written_is_said(self):
+        self.assertEqual(self.run_ok(*SMALL, "-o", "x.PNG").stderr, "written: x.PNG\n")
+        self.assertEqual(self.scratch.files(), ["x.PNG"])
+
+    def test_refusals_come_before_the_work(self):
+        for words, says in [
+            ((), "-o FILE is missing"),
+            (("-o", "x.gif"), '"x.gif"'),
+            (("-o", "missing/x.png"), "missing/x.png"),
+            (("-o", "/proc/x.png"), "/proc/x.png"),
+            (("-o", "x.png", "--spp", "0"), "spp"),
+            (("-o", "x.png", "--spp", "1,2"), "spp"),
+            (("-o", "x.png", "--kernel", "ptt"), "did you mean pt?"),
+            (("-o", "x.png", "--scene", "thesi"), "did you mean thesis?"),
+            (("-o", "x.png", "--seed", "-1"), "--seed"),
+            (("-o", "x.png", "--wg", "8x8"), "one-dimensional"),
+            (("-o", "x.png", "--size", "40000"), "MiB of device memory"),
+        ]:
+            with self.subTest(words):
+                self.assert_refused("render", *words, says=says)
+
+    def test_the_image_does_not_depend_on_the_work_group(self):
+        for device in ("pocl:0", "pocl:1"):
+            for kernel, groups in (("pt", ("7", "64")), ("thesis", ("5", "4x4"))):
+                words = (*SMALL[:2], device, *SMALL[3:], "--kernel", kernel)
+                implicit = self.picture(*words)
+                for group in groups:
+                    with self.subTest(device=device, kernel=kernel, group=group):
+                        self.assertEqual(self.picture(*words, "--wg", group), implicit)
+
+    def test_the_seed_matters_and_repeats(self):
+        first = self.picture(*SMALL)
+        self.assertEqual(self.picture(*SMALL, "--seed", "1"), first)
+        self.assertNotEqual(self.picture(*SMALL, "--seed", "2"), first)
+
+    def test_a_scene_file_is_the_shipped_scene_of_that_text(self):
+        self.scratch.write("mine.json", (SOURCE / "configs/scenes/free_light.json").read_text())
+        self.assertEqual(self.picture(*SMALL, "--scene", "mine.json"), self.picture(*SMALL, "--scene", "free_light"))
+
+    def test_interruption_keeps_what_is_rendered(self):
+        words = ("render", "-d", "pocl:1", "--size", "32", "--path-length", "5")
+        _, whole = pfm_pixels(self.picture(*words, "--spp", "2000"))
+        process = self.scratch.start(*words, "--spp", "50000000", "-o", "part.pfm")
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        time.sleep(2)
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=30)
+        self.assertEqual(process.returncode, 130, err)
+        self.assertEqual(err, "written: part.pfm (interrupted: as far as it got)\n")
+        size, part = pfm_pixels((self.scratch.work / "part.pfm").read_bytes())
+        self.assertEqual(size, (32, 32))
+        self.assertAlmostEqual(sum(part) / sum(whole), 1, delta=0.1)  # 2 million samples: far within 10 %
+        self.assertEqual(self.scratch.files(), ["part.pfm", "x.pfm"])
+
+
+if __name__ == "__main__":
+    unittest.main()
