@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "bench/plan/data_dir.h"
-#include "bench/plan/nearest.h"
 #include "bench/plan/scene_file.h"
-#include "bench/plan/usage_error.h"
-#include "bench/record/printable.h"
+#include "core/input/nearest.h"
+#include "core/input/printable.h"
+#include "core/input/usage_error.h"
 #include "core/integrator/registry.h"
 #include "core/scene/scene.h"
 
@@ -34,11 +34,7 @@ void check_scene(const std::string& scene) {
             fmt::format("scene: found \"{}\", which is no file{}; allowed: a file, or one of: {}",
                         printable(scene), did_you_mean(scene, names), fmt::join(names, ", ")));
     }
-    try {
-        load_scene(file);
-    } catch (const SceneError& error) {
-        throw UsageError(error.what());
-    }
+    load_scene(file);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "bench/cli/tell.h"
 #include "bench/plan/data_dir.h"
 #include "bench/record/json.h"
-#include "bench/record/printable.h"
+#include "core/input/printable.h"
 #include "core/integrator/registry.h"
 
 namespace ptb {

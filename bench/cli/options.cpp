@@ -9,8 +9,8 @@
 
 #include "bench/cli/value_checks.h"
 #include "bench/plan/limits.h"
-#include "bench/plan/nearest.h"
-#include "bench/record/printable.h"
+#include "core/input/nearest.h"
+#include "core/input/printable.h"
 #include "bench/version.h"
 
 namespace ptb {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/record/printable.h"
+#include "core/input/printable.h"
 
 namespace ptb {
 

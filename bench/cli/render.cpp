@@ -7,7 +7,7 @@
 #include "bench/cli/interrupt.h"
 #include "bench/cli/outputs.h"
 #include "bench/cli/tell.h"
-#include "bench/record/printable.h"
+#include "core/input/printable.h"
 #include "bench/worker/render_job.h"
 #include "core/image/image_io.h"
 

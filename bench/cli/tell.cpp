@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "bench/record/printable.h"
+#include "core/input/printable.h"
 
 namespace ptb {
 

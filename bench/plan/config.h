@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/plan/case.h"
-#include "bench/plan/usage_error.h"
+#include "core/input/usage_error.h"
 #include "bench/record/record.h"
 
 namespace ptb {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "bench/plan/config.h"
-#include "bench/plan/nearest.h"
-#include "bench/record/printable.h"
-#include "bench/record/strict_json.h"
+#include "core/input/json.h"
+#include "core/input/nearest.h"
+#include "core/input/printable.h"
 
 namespace ptb {
 namespace {

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "bench/plan/limits.h"
-#include "bench/plan/nearest.h"
 
 namespace ptb {
 namespace {
@@ -82,11 +81,10 @@ const std::vector<std::pair<std::string, Reader>>& readers() {
 void read_key(const std::string& key, const Json& json, const Where& where, Config& config) {
     std::vector<std::string> known;
     for (const auto& [name, read] : readers()) {
-        if (name == key) return read(json, where, config);
+        if (name == key) return read(json, Where(where, key), config);
         known.push_back(name);
     }
-    const auto hint = did_you_mean(key, known);
-    where.fail("unknown key" + (hint.empty() ? fmt::format("; allowed: {}", fmt::join(known, ", ")) : hint));
+    refuse_key(key, where, known);
 }
 
 }  // namespace
@@ -96,7 +94,7 @@ Config parse_config(std::string_view json_text, const std::string& origin) {
     const Where root(origin);
     if (!json.is_object()) root.refuse(json, "an object");
     Config config;
-    for (const auto& [key, value] : json.items()) read_key(key, value, Where(root, key), config);
+    for (const auto& [key, value] : json.items()) read_key(key, value, root, config);
     return config;
 }
 

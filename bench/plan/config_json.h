@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bench/plan/config.h"
-#include "bench/record/strict_json.h"
+#include "core/input/json.h"
 
 namespace ptb {
 

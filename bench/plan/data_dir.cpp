@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/plan/usage_error.h"
+#include "core/input/usage_error.h"
 
 namespace ptb {
 namespace {

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "bench/plan/config.h"
-#include "bench/plan/nearest.h"
-#include "bench/record/printable.h"
+#include "core/input/nearest.h"
+#include "core/input/printable.h"
 
 namespace ptb {
 namespace {

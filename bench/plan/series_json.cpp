@@ -4,7 +4,6 @@
 
 #include "bench/plan/axis_text.h"
 #include "bench/plan/config_json.h"
-#include "bench/plan/nearest.h"
 
 namespace ptb {
 namespace {
@@ -69,12 +68,10 @@ bool is_axis_key(const std::string& key) {
            std::find(names.begin(), names.end(), key) != names.end();
 }
 
-[[noreturn]] void refuse_key(const std::string& key, const Where& where) {
+std::vector<std::string> series_keys() {
     auto known = axis_names();
     known.insert(known.begin(), "name");
-    where.fail(fmt::format("unknown key{}", nearest_match(key, known)
-                                                ? did_you_mean(key, known)
-                                                : fmt::format("; allowed: {}", fmt::join(known, ", "))));
+    return known;
 }
 
 }  // namespace
@@ -91,7 +88,7 @@ Series parse_series(const Json& json, const Where& where) {
             refuse_second_axis(series, axis, at);
             series.axes.push_back(axis);
         } else {
-            refuse_key(key, at);
+            refuse_key(key, where, series_keys());
         }
     }
     return series;

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "bench/record/strict_json.h"
+#include "core/input/json.h"
 
 namespace ptb {
 

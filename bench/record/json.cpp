@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/record/printable.h"
+#include "core/input/printable.h"
 #include "bench/record/status.h"
 
 namespace ptb {

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "bench/plan/config.h"
-#include "bench/record/printable.h"
+#include "core/input/printable.h"
 #include "bench/record/status.h"
 #include "bench/report/words.h"
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/record/json.h"
-#include "bench/record/printable.h"
+#include "core/input/printable.h"
 
 namespace ptb {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/record/printable.h"
+#include "core/input/printable.h"
 #include "bench/worker/channel.h"
 
 namespace ptb {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 
-#include "bench/record/printable.h"
+#include "core/input/printable.h"
 #include "bench/record/status.h"
 
 namespace ptb {

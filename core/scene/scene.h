@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,16 +43,10 @@ struct Scene {
     std::vector<Sphere> spheres;
 };
 
-/// A scene file that cannot be used; `what()` is one line with the file, the JSON pointer, what was found and
-/// what is allowed.
-struct SceneError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-/// Reads a scene from JSON text; `origin` names it in errors. Unknown keys are errors. Throws SceneError.
+/// Reads a scene from JSON text; `origin` names it in errors. Unknown keys are errors. Throws UsageError.
 Scene parse_scene(std::string_view json_text, const std::string& origin);
 
-/// Reads a scene file. Throws SceneError, also when the file cannot be read.
+/// Reads a scene file. Throws UsageError, also when the file cannot be read.
 Scene load_scene(const std::filesystem::path& file);
 
 }  // namespace ptb

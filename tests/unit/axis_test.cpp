@@ -2,7 +2,7 @@
 
 #include "bench/plan/axis_text.h"
 #include "bench/plan/config.h"
-#include "bench/plan/nearest.h"
+#include "core/input/nearest.h"
 
 namespace ptb {
 namespace {

@@ -10,7 +10,7 @@
 #include "bench/record/file.h"
 #include "bench/record/journal.h"
 #include "bench/record/json.h"
-#include "bench/record/printable.h"
+#include "core/input/printable.h"
 #include "bench/record/result_file.h"
 #include "bench/record/status.h"
 

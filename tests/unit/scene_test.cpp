@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/scene/nearest.h"
+#include "core/input/usage_error.h"
 
 namespace ptb {
 namespace {
@@ -38,7 +38,7 @@ json good_scene() {
 std::string error_of_text(const std::string& text) {
     try {
         parse_scene(text, "scene.json");
-    } catch (const SceneError& error) {
+    } catch (const UsageError& error) {
         EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << "an error is one line";
         return error.what();
     }
@@ -85,36 +85,31 @@ TEST(Scene, every_scene_that_comes_along_loads_and_is_named_like_its_file) {
 
 TEST(Scene, a_bad_number_is_named_with_its_pointer_and_the_rule) {
     EXPECT_EQ(error_with("/spheres/1/radius", -2),
-              "scene.json: /spheres/1/radius: -2 is not allowed; a radius is a finite number > 0 (from 1e-18 "
-              "to 1e18)");
-    EXPECT_THAT(error_with("/spheres/1/radius", 0), HasSubstr("/spheres/1/radius: 0 is not allowed"));
-    EXPECT_THAT(error_with("/spheres/0/centre/2", 1e30),
-                HasSubstr("/spheres/0/centre/2: 1e+30 is not allowed"));
+              "scene.json: /spheres/1/radius: found -2; allowed: a finite number > 0 (from 1e-18 to 1e18)");
+    EXPECT_THAT(error_with("/spheres/1/radius", 0), HasSubstr("/spheres/1/radius: found 0"));
+    EXPECT_THAT(error_with("/spheres/0/centre/2", 1e30), HasSubstr("/spheres/0/centre/2: found 1e+30"));
     EXPECT_THAT(error_with("/materials/grey/albedo/0", 1.01),
-                HasSubstr("/materials/grey/albedo/0: 1.01 is not"));
+                HasSubstr("/materials/grey/albedo/0: found 1.01"));
     EXPECT_THAT(error_with("/materials/grey/albedo/0", -0.1), HasSubstr("[0, 1]"));
     EXPECT_THAT(error_with("/materials/metal/reflectance/1", 2), HasSubstr("/materials/metal/reflectance/1"));
     EXPECT_THAT(error_with("/materials/glow/albedo/1", 2), HasSubstr("/materials/glow/albedo/1"));
-    EXPECT_THAT(error_with("/materials/lamp/radiance/0", -1),
-                HasSubstr("a radiance is a finite number >= 0"));
-    EXPECT_THAT(error_with("/materials/glass/ior", 0), HasSubstr("/materials/glass/ior: 0 is not allowed"));
+    EXPECT_THAT(error_with("/materials/lamp/radiance/0", -1), HasSubstr("a finite number >= 0"));
+    EXPECT_THAT(error_with("/materials/glass/ior", 0), HasSubstr("/materials/glass/ior: found 0"));
     for (const double fov : {-40.0, 0.0, 180.0, 400.0})
         EXPECT_THAT(error_with("/camera/fov_deg", fov), HasSubstr("between 0 and 180 degrees"));
 }
 
 TEST(Scene, a_wrong_type_is_refused_where_it_stands) {
-    EXPECT_THAT(error_with("/spheres/1/radius", "wide"),
-                HasSubstr("/spheres/1/radius: \"wide\" is not allowed"));
-    EXPECT_THAT(error_with("/spheres/1/radius", nullptr), HasSubstr("/spheres/1/radius: null"));
-    EXPECT_THAT(error_with("/spheres/0/centre", {1, 2}),
-                HasSubstr("/spheres/0/centre: [1,2] is not allowed"));
-    EXPECT_THAT(error_with("/spheres/0/centre", {1, true, 2}), HasSubstr("/spheres/0/centre/1: true"));
-    EXPECT_THAT(error_with("/spheres/0", 7), HasSubstr("/spheres/0: 7 is not allowed"));
-    EXPECT_THAT(error_with("/spheres", json::object()), HasSubstr("/spheres: {} is not allowed"));
-    EXPECT_THAT(error_with("/materials", json::array()), HasSubstr("/materials: [] is not allowed"));
-    EXPECT_THAT(error_with("/materials/grey/type", 3), HasSubstr("/materials/grey/type: 3 is not allowed"));
-    EXPECT_THAT(error_with("/camera", "x"), HasSubstr("/camera: \"x\" is not allowed"));
-    EXPECT_THAT(error_of_text("[]"), HasSubstr("scene.json: /: [] is not allowed"));
+    EXPECT_THAT(error_with("/spheres/1/radius", "wide"), HasSubstr("/spheres/1/radius: found \"wide\""));
+    EXPECT_THAT(error_with("/spheres/1/radius", nullptr), HasSubstr("/spheres/1/radius: found null"));
+    EXPECT_THAT(error_with("/spheres/0/centre", {1, 2}), HasSubstr("/spheres/0/centre: found an array"));
+    EXPECT_THAT(error_with("/spheres/0/centre", {1, true, 2}), HasSubstr("/spheres/0/centre/1: found true"));
+    EXPECT_THAT(error_with("/spheres/0", 7), HasSubstr("/spheres/0: found 7"));
+    EXPECT_THAT(error_with("/spheres", json::object()), HasSubstr("/spheres: found {}"));
+    EXPECT_THAT(error_with("/materials", json::array()), HasSubstr("/materials: found []"));
+    EXPECT_THAT(error_with("/materials/grey/type", 3), HasSubstr("/materials/grey/type: found 3"));
+    EXPECT_THAT(error_with("/camera", "x"), HasSubstr("/camera: found \"x\""));
+    EXPECT_THAT(error_of_text("[]"), HasSubstr("scene.json: found []"));
 }
 
 TEST(Scene, a_name_that_is_no_plain_file_name_is_refused) {
@@ -125,71 +120,71 @@ TEST(Scene, a_name_that_is_no_plain_file_name_is_refused) {
 
 TEST(Scene, an_unknown_key_gets_the_nearest_known_one) {
     EXPECT_EQ(error_with("/spheres/0/raduis", 1),
-              "scene.json: /spheres/0/raduis: unknown key; a sphere has centre, radius, material (nearest: "
-              "radius)");
-    EXPECT_THAT(error_with("/camra", 1), HasSubstr("/camra: unknown key"));
-    EXPECT_THAT(error_with("/camera/fov", 1), HasSubstr("nearest: fov_deg"));
-    EXPECT_THAT(error_with("/materials/grey/ior", 1.5), HasSubstr("a matte material has type, albedo"));
-    EXPECT_THAT(error_with("/materials/glass/albedo", 1), HasSubstr("a dielectric has type, ior"));
-    EXPECT_THAT(error_with("/materials/grey/type", "mate"), HasSubstr("nearest: matte"));
+              "scene.json: /spheres/0/raduis: unknown key; did you mean radius?");
+    EXPECT_THAT(error_with("/camra", 1), HasSubstr("/camra: unknown key; did you mean camera?"));
+    EXPECT_THAT(error_with("/camera/fov", 1),
+                HasSubstr("unknown key; allowed: position, look_at, up, fov_deg"));
+    EXPECT_THAT(error_with("/materials/grey/ior", 1.5), HasSubstr("unknown key; allowed: type, albedo"));
+    EXPECT_THAT(error_with("/materials/glass/albedo", 1), HasSubstr("unknown key; allowed: type, ior"));
+    EXPECT_THAT(error_with("/materials/grey/type", "mate"), HasSubstr("did you mean matte?"));
 }
 
 TEST(Scene, a_missing_key_is_named) {
-    EXPECT_EQ(error_without("/spheres/1", "radius"), "scene.json: /spheres/1: the key \"radius\" is missing");
-    EXPECT_THAT(error_without("", "camera"), HasSubstr("the key \"camera\" is missing"));
-    EXPECT_THAT(error_without("/camera", "up"), HasSubstr("/camera: the key \"up\" is missing"));
-    EXPECT_THAT(error_without("/materials/grey", "type"), HasSubstr("/materials/grey: the key \"type\""));
-    EXPECT_THAT(error_without("/materials/glass", "ior"), HasSubstr("/materials/glass: the key \"ior\""));
+    EXPECT_EQ(error_without("/spheres/1", "radius"), "scene.json: /spheres/1: \"radius\" is missing");
+    EXPECT_THAT(error_without("", "camera"), HasSubstr("\"camera\" is missing"));
+    EXPECT_THAT(error_without("/camera", "up"), HasSubstr("/camera: \"up\" is missing"));
+    EXPECT_THAT(error_without("/materials/grey", "type"), HasSubstr("/materials/grey: \"type\""));
+    EXPECT_THAT(error_without("/materials/glass", "ior"), HasSubstr("/materials/glass: \"ior\""));
 }
 
 TEST(Scene, an_undefined_material_is_answered_with_the_defined_ones) {
     const std::string error = error_with("/spheres/0/material", "gray");
-    EXPECT_THAT(error, HasSubstr("/spheres/0/material: \"gray\" is not allowed"));
-    EXPECT_THAT(error, HasSubstr("[\"glass\",\"glow\",\"grey\",\"lamp\",\"metal\"]"));
+    EXPECT_THAT(error, HasSubstr("/spheres/0/material: found \"gray\""));
+    EXPECT_THAT(error, HasSubstr("glass, glow, grey, lamp, metal"));
 }
 
 TEST(Scene, a_scene_without_spheres_is_refused) {
     EXPECT_THAT(error_with("/spheres", json::array()),
-                HasSubstr("/spheres: [] is not allowed; a scene has at least"));
+                HasSubstr("/spheres: found []; allowed: a list of at least one"));
 }
 
 TEST(Scene, a_camera_that_sees_nothing_is_refused) {
     EXPECT_THAT(error_with("/camera/look_at", {0, 0, -5}), HasSubstr("/camera/look_at: "));
-    EXPECT_THAT(error_with("/camera/up", {0, 0, 3}), HasSubstr("/camera/up: [0,0,3] is not allowed"));
+    EXPECT_THAT(error_with("/camera/up", {0, 0, 3}), HasSubstr("/camera/up: found an array"));
     EXPECT_THAT(error_with("/camera/up", {0, 0, 0}), HasSubstr("not zero"));
 }
 
 TEST(Scene, what_is_no_number_in_json_is_refused_with_line_and_column) {
     for (const char* word : {"NaN", "Infinity", "-Infinity", "nan", "0x10", "+1", "01"}) {
         const std::string text = std::string("{\n  \"name\": ") + word + "}";
-        EXPECT_THAT(error_of_text(text), StartsWith("scene.json:2:")) << word;
+        EXPECT_THAT(error_of_text(text), AllOf(StartsWith("scene.json: "), HasSubstr("line 2"))) << word;
     }
-    EXPECT_THAT(error_of_text("{\"name\": 1e999}"), AllOf(StartsWith("scene.json:1:"), HasSubstr("1e999")));
+    EXPECT_THAT(error_of_text("{\"name\": 1e999}"), AllOf(StartsWith("scene.json: "), HasSubstr("1e999")));
 }
 
 TEST(Scene, text_cut_off_anywhere_is_an_error) {
     const std::string text = good_scene().dump(1);
     for (std::size_t length = 0; length < text.size(); ++length)
-        EXPECT_THAT(error_of_text(text.substr(0, length)), StartsWith("scene.json:")) << length;
+        EXPECT_THAT(error_of_text(text.substr(0, length)), StartsWith("scene.json: ")) << length;
 }
 
 TEST(Scene, hostile_nesting_is_refused_and_does_not_crash) {
-    EXPECT_THAT(error_of_text(std::string(1'000'000, '[')), HasSubstr("nested more than 64 deep"));
+    EXPECT_THAT(error_of_text(std::string(1'000'000, '[')), HasSubstr("nested deeper than 64"));
     std::string objects;
     for (int i = 0; i < 100'000; ++i) objects += "{\"a\":";
-    EXPECT_THAT(error_of_text(objects), HasSubstr("nested more than 64 deep"));
+    EXPECT_THAT(error_of_text(objects), HasSubstr("nested deeper than 64"));
 }
 
 TEST(Scene, a_key_given_twice_is_refused) {
     std::string text = good_scene().dump();
     text.insert(1, "\"name\": \"other\",");
-    EXPECT_EQ(error_of_text(text), "scene.json: the key \"name\" appears twice in one object");
+    EXPECT_EQ(error_of_text(text), "scene.json: key \"name\" comes twice in an object");
 }
 
 TEST(Scene, unprintable_keys_do_not_break_the_line) {
-    EXPECT_THAT(error_with("/a\nb\x1b[2J", 1), AllOf(HasSubstr("\\n"), Not(HasSubstr("\x1b"))));
-    EXPECT_THAT(error_with("/spheres/0/material", "\n"), HasSubstr("\\n"));
-    EXPECT_THAT(error_of_text("{\"\xff\": 1}"), StartsWith("scene.json:1:"));
+    EXPECT_THAT(error_with("/a\nb\x1b[2J", 1), Not(HasSubstr("\x1b")));
+    EXPECT_THAT(error_with("/spheres/0/material", "\n"), HasSubstr("found "));
+    EXPECT_THAT(error_of_text("{\"\xff\": 1}"), StartsWith("scene.json: "));
     EXPECT_LT(error_with("/" + std::string(100'000, 'k'), 1).size(), 500U);
 }
 
@@ -198,20 +193,14 @@ TEST(Scene, a_file_that_cannot_be_read_is_named_with_the_reason) {
         try {
             load_scene(file);
             ADD_FAILURE() << file;
-        } catch (const SceneError& error) {
-            EXPECT_THAT(error.what(), StartsWith(file + ": cannot be read: "));
+        } catch (const UsageError& error) {
+            EXPECT_THAT(error.what(), StartsWith("cannot read " + file + ": "));
         }
     }
 }
 
 TEST(Scene, an_empty_file_is_named_as_such) {
     EXPECT_THAT(error_of_text(""), HasSubstr("unexpected end of input"));
-}
-
-TEST(NearestWord, counts_single_letter_edits) {
-    EXPECT_EQ(nearest_word("raduis", {"centre", "radius", "material"}), "radius");
-    EXPECT_EQ(nearest_word("x", {"b", "a"}), "b");
-    EXPECT_EQ(nearest_word("x", {}), "");
 }
 
 /// The reader and the published schema must not drift apart.

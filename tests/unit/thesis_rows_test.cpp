@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "bench/plan/usage_error.h"
+#include "core/input/usage_error.h"
 #include "bench/report/published.h"
 
 namespace ptb {

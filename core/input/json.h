@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -42,6 +43,16 @@ Json parse_json(std::string_view text, const std::string& origin);
 
 /// The whole file; throws UsageError when it cannot be read.
 std::string read_text(const std::filesystem::path& file);
+
+/// A member of an object. Throws UsageError when `object` is none, or has no such member.
+const Json& member(const Json& object, const Where& where, const std::string& key);
+
+/// Refuses a key that is not known, naming the nearest one or all of them.
+[[noreturn]] void refuse_key(const std::string& key, const Where& where,
+                             const std::vector<std::string>& known);
+
+/// An object with no other keys than these.
+void allow_only(const Json& object, const Where& where, const std::vector<std::string>& known);
 
 /// JSON on one line, or indented by `indent` spaces; bytes that are not UTF-8 are replaced.
 std::string dump_json(const Json& json, int indent = -1);

@@ -1,4 +1,4 @@
-#include "bench/record/printable.h"
+#include "core/input/printable.h"
 
 #include <cstdint>
 

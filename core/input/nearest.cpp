@@ -1,4 +1,4 @@
-#include "bench/plan/nearest.h"
+#include "core/input/nearest.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,5 +1,6 @@
-#include "bench/record/strict_json.h"
+#include "core/input/json.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -12,14 +13,15 @@
 
 #include <fmt/format.h>
 
-#include "bench/plan/usage_error.h"
-#include "bench/record/printable.h"
+#include "core/input/nearest.h"
+#include "core/input/printable.h"
+#include "core/input/usage_error.h"
 
 namespace ptb {
 namespace {
 
 constexpr int deepest = 64;
-constexpr std::size_t most_keys = 1024;  ///< per object: looking one up is linear
+constexpr std::size_t most_keys = 10'000;  ///< per object: looking one up is linear
 
 /// Refuses, while parsing, what is well-formed but hostile or ambiguous.
 class Guard {
@@ -119,6 +121,25 @@ std::string read_text(const std::filesystem::path& file) {
     text << stream.rdbuf();
     if (stream.bad()) fail(std::strerror(errno));
     return std::move(text).str();
+}
+
+const Json& member(const Json& object, const Where& where, const std::string& key) {
+    if (!object.is_object()) where.refuse(object, "an object");
+    const auto found = object.find(key);
+    if (found == object.end()) where.fail(fmt::format("\"{}\" is missing", key));
+    return *found;
+}
+
+void refuse_key(const std::string& key, const Where& where, const std::vector<std::string>& known) {
+    const std::string hint = did_you_mean(key, known);
+    Where(where, key)
+        .fail("unknown key" + (hint.empty() ? fmt::format("; allowed: {}", fmt::join(known, ", ")) : hint));
+}
+
+void allow_only(const Json& object, const Where& where, const std::vector<std::string>& known) {
+    if (!object.is_object()) where.refuse(object, "an object");
+    for (const auto& [key, value] : object.items())
+        if (std::find(known.begin(), known.end(), key) == known.end()) refuse_key(key, where, known);
 }
 
 std::string dump_json(const Json& json, int indent) {
