@@ -20,9 +20,9 @@ import sys
 import tempfile
 import time
 
-# 16 cases on PoCL's two devices, of some 0.1 s each.
-PLAN = ("-d", "cpu", "--kernel", "pt", "--size", "64", "--spp", "50,60,70,80", "--path-length", "5", "--wg", "8,16",
-        "--samples", "3", "--warmup", "0", "--timeout", "60")
+# 16 cases on PoCL's two devices, of some 0.2 s each.
+PLAN = ("-d", "cpu", "--kernel", "pt", "--size", "64", "--spp", "150,200,250,300", "--path-length", "5", "--wg",
+        "8,16", "--max-time", "0.3", "--timeout", "60")
 VICTIMS = ("coordinator", "worker")
 
 

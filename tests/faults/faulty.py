@@ -2,9 +2,11 @@
 
 import os
 
-from ptbench import CliTest, changed, ONE
+from formats import schema_errors
+from ptbench import ONE, SOURCE, CliTest, changed
 
 LAYER = os.environ["PTB_FAULT_LAYER"]
+SCHEMA = SOURCE / "configs/schema/result.schema.json"
 
 # Three cases of one worker; a fault with BY_EIGHT hits only the second.
 THREE = changed(ONE, wg="4,8,16")
@@ -16,7 +18,9 @@ class FaultTest(CliTest):
         return self.run_ok(*words, code=code, OPENCL_LAYERS=LAYER, PTB_FAULT=fault, **variables)
 
     def records(self, fault, *words, code=0, **variables):
+        """The records of a run; the file that they are in keeps to its schema."""
         self.layered(fault, *words, "--out", "out", "-q", code=code, **variables)
+        self.assertEqual(schema_errors(SCHEMA, self.scratch.work / "out/result.json"), "")
         return self.scratch.result()["cases"]
 
     def record(self, fault, *words, code=0):

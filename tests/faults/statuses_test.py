@@ -29,6 +29,13 @@ class Dying(FaultTest):
         hit = self.one_of_three(f"hang {BY_EIGHT}", "timeout", words=changed(THREE, timeout=2))
         self.assertEqual(hit["reason"], "no sign of life for 2 s (--timeout)")
 
+    def test_one_that_hangs_while_costs_are_estimated_or_devices_asked_for(self):
+        once = self.scratch.root / "once"
+        statuses = [r["status"] for r in self.records(f"hang at=1 once={once}", *changed(THREE, timeout=2))]
+        self.assertEqual(statuses, ["ok"] * 3)
+        result = self.layered("hang call=clGetDeviceIDs", *ONE, code=77)
+        self.assertRegex(result.stderr, r"pocl\.icd: no answer within \d+ s")
+
     def test_wherever_a_worker_dies_the_run_goes_on(self):
         for call in ("clSetKernelArg", "clCreateBuffer", "clFinish", "clEnqueueReadBuffer",
                      "clGetEventProfilingInfo"):
@@ -101,6 +108,13 @@ class Lost(FaultTest):
         once = self.scratch.root / "once"
         statuses = [r["status"] for r in self.records(f"lose code=-2 at=1 once={once}", *THREE)]
         self.assertEqual(statuses, ["ok"] * 3)
+
+
+class InOneProcess(FaultTest):
+    def test_a_device_that_fails_is_opened_anew(self):
+        words = [*THREE, "--no-isolate"]
+        self.one_of_three(f"fail code=-4 {BY_EIGHT}", "runtime", words=words)
+        self.one_of_three(f"corrupt factor=nan {BY_EIGHT}", "invalid", code=4, words=words)
 
 
 class Wrong(FaultTest):
