@@ -33,9 +33,14 @@ class BrokenTimers(FaultTest):
     def test_times_that_cannot_be_had(self):
         self.assert_host_clock("fail call=clGetEventProfilingInfo code=-7", "zero")
 
-    def test_the_clock_that_is_asked_for_is_used(self):
-        record = self.record("timer how=zero", *ONE, "--timer", "event")
-        self.assertEqual(record["statistics"]["timer"], "event")
+    def test_a_clock_that_is_asked_for_is_used_or_refused(self):
+        for how in ("zero", "swap", "underflow"):
+            with self.subTest(how):
+                record = self.record(f"timer how={how}", *ONE, "--timer", "event")
+                self.assertEqual((record["status"], record["samples"], record["statistics"]), ("unsupported", [], None))
+                self.assertRegex(record["reason"], "--timer event: .*; auto takes the host's clock then")
+        record = self.record("", *ONE, "--timer", "host")
+        self.assertEqual((record["statistics"]["timer"], record["statistics"]["timer_reason"]), ("host", "asked for"))
 
     def test_a_slow_launch_is_no_fault_of_the_timer(self):
         record = self.record("slow factor=3 share=0.5", *changed(ONE, spp=2000, samples=5))
