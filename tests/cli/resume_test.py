@@ -88,8 +88,8 @@ class Refused(ResumeTest):
         return line
 
     def test_other_options_or_another_plan(self):
-        line = self.refused("--samples", "2", "--seed", "9", says=["out/journal.jsonl is of another run"])
-        self.assertIn("option samples (there 1, here 2)", line)
+        line = self.refused("--max-time", "7", "--seed", "9", says=["out/journal.jsonl is of another run"])
+        self.assertRegex(line, r"option max_time \(there [0-9.]+, here 7\.0\)")
         self.assertIn("option seed (there 1, here 9)", line)
         self.refused("--spp", "1,2", says="option series (there ")
         self.refused("--config", "ci", says="option series (there ")
