@@ -37,9 +37,9 @@ std::vector<Record> tried(const std::vector<Record>& records) {
     return kept;
 }
 
-Fingerprint fingerprint_with_kernels(const ResultFile& now, const std::vector<Case>& planned,
-                                     const std::string& kernel_dir) {
-    Fingerprint facts = fingerprint_of(now);
+RunFingerprint fingerprint_with_kernels(const ResultFile& now, const std::vector<Case>& planned,
+                                        const std::string& kernel_dir) {
+    RunFingerprint facts = fingerprint_of(now);
     std::set<std::string> kernels;
     for (const Case& c : planned) kernels.insert(c.kernel);
     for (const auto& kernel : kernels)

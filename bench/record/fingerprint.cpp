@@ -12,12 +12,12 @@ namespace {
 
 constexpr std::size_t most_shown = 60;
 
-void add_host(Fingerprint& facts, const ResultFile& run) {
+void add_host(RunFingerprint& facts, const ResultFile& run) {
     facts["cpu"] = fmt::format("{}, {} cores", run.host.cpu, run.host.cores);
     facts["ptbench"] = fmt::format("{} {}", run.run.tool_version, run.run.git_sha);
 }
 
-void add_devices(Fingerprint& facts, const ResultFile& run) {
+void add_devices(RunFingerprint& facts, const ResultFile& run) {
     for (const DeviceInfo& device : run.devices) {
         if (!device.excluded.empty()) continue;
         facts["device " + device.key] =
@@ -27,7 +27,7 @@ void add_devices(Fingerprint& facts, const ResultFile& run) {
     }
 }
 
-void add_options(Fingerprint& facts, const ResultFile& run) {
+void add_options(RunFingerprint& facts, const ResultFile& run) {
     static const std::set<std::string> not_in_a_time{"name", "description", "device", "timeout",
                                                      "max_total_time"};
     if (run.run.settings.json.empty()) return;
@@ -36,21 +36,21 @@ void add_options(Fingerprint& facts, const ResultFile& run) {
         if (!not_in_a_time.contains(key)) facts["option " + key] = dump_json(value);
 }
 
-void add_kernels(Fingerprint& facts, const ResultFile& run) {
+void add_kernels(RunFingerprint& facts, const ResultFile& run) {
     for (const Record& record : run.cases)
         if (record.build && !record.build->kernel_hash.empty())
             facts["kernel " + record.params.kernel] = record.build->kernel_hash;
 }
 
-std::string value_in(const Fingerprint& facts, const std::string& name) {
+std::string value_in(const RunFingerprint& facts, const std::string& name) {
     const auto found = facts.find(name);
     return found == facts.end() ? "nothing" : shortened(printable(found->second), most_shown);
 }
 
 }  // namespace
 
-Fingerprint fingerprint_of(const ResultFile& run) {
-    Fingerprint facts;
+RunFingerprint fingerprint_of(const ResultFile& run) {
+    RunFingerprint facts;
     add_host(facts, run);
     add_devices(facts, run);
     add_options(facts, run);
@@ -58,9 +58,9 @@ Fingerprint fingerprint_of(const ResultFile& run) {
     return facts;
 }
 
-std::vector<std::string> differences(const Fingerprint& a, const std::string& there, const Fingerprint& b,
-                                     const std::string& here) {
-    Fingerprint all = a;
+std::vector<std::string> differences(const RunFingerprint& a, const std::string& there,
+                                     const RunFingerprint& b, const std::string& here) {
+    RunFingerprint all = a;
     all.insert(b.begin(), b.end());
     std::vector<std::string> texts;
     for (const auto& [name, value] : all) {
