@@ -156,7 +156,10 @@ void report(const Options& options, const Prepared& prepared, Outputs& outputs, 
     tell_build_logs(options.common, result.cases);
     outputs.write(result, prepared.published);
     tell(options.common, fmt::format("written: {}", fmt::join(outputs.written(), " ")));
-    if (result.run.interrupted) return;
+    if (result.run.interrupted) {
+        tell(options.common, fmt::format("go on with: ptbench --resume {}", outputs.journal().string()));
+        return;
+    }
     for (const auto& hint :
          hints(prepared.config, prepared.list.devices, prepared.plan.devices, result.cases)) {
         tell(options.common, "hint: " + hint);
