@@ -95,14 +95,18 @@ class Lost(FaultTest):
                 hit = self.one_of_three(f"lose code={code} {BY_EIGHT}", "runtime")
                 self.assertIn(f"{name} ({code})", hit["reason"])
 
-    def test_one_that_stays_lost_ends_its_cases_and_not_those_of_others(self):
+    def test_one_that_stays_lost_leaves_its_other_cases_untried(self):
         lost = self.scratch.root / "lost"
-        fault = f"lose code=-2 {BY_EIGHT} once={lost}"
+        fault = f"lose code=-2 {BY_EIGHT} once={lost}; fail call=clCreateContext code=-2 given={lost}"
+        before, hit, after = self.records(fault, *THREE, code=1)
+        self.assertEqual([before["status"], hit["status"], after["status"]], ["ok", "runtime", "skipped"])
+        self.assertRegex(after["reason"], "pocl:1 cannot be opened: clCreateContext.*CL_DEVICE_NOT_AVAILABLE")
+
+    def test_the_cases_of_other_devices_do_not_suffer(self):
         words = changed(TINY, wg="4,8,16") + ["-d", "pocl:1", "-d", "pocl:0"]
-        records = self.records(fault, *words, code=1)
-        found = {(r["params"]["device"], r["params"]["work_group"]): r["status"] for r in records}
-        self.assertEqual(list(found.values()).count("runtime"), 1)
-        self.assertEqual(list(found.values()).count("ok"), 5)
+        records = self.records(f"lose code=-2 {BY_EIGHT} once={self.scratch.root / 'lost'}", *words, code=1)
+        self.assertEqual([(r["params"]["device"], r["status"]) for r in records],
+                         [("pocl:0", "ok"), ("pocl:0", "runtime"), ("pocl:0", "ok"), *[("pocl:1", "ok")] * 3])
 
     def test_lost_while_costs_are_estimated(self):
         once = self.scratch.root / "once"

@@ -34,7 +34,7 @@ const std::map<std::string, Kind>& kinds() {
     };
     return all;
 }
-const std::set<std::string> keys_of_all{"from", "at", "count", "share", "kernel", "local", "once"};
+const std::set<std::string> keys_of_all{"from", "at", "count", "share", "kernel", "local", "once", "given"};
 
 Fault parse_fault(const std::string& text) {
     std::istringstream words(text);
@@ -99,7 +99,9 @@ bool Injector::aims_at_last_launch(const Fault& fault, const std::string& call) 
     return fault.number("local", static_cast<double>(local->second)) == static_cast<double>(local->second);
 }
 
-bool Injector::is_first_process(const Fault& fault) const {
+bool Injector::is_time_by_files(const Fault& fault) const {
+    const std::string needed = fault.value("given", "");
+    if (!needed.empty() && ::access(needed.c_str(), F_OK) != 0) return false;
     const std::string file = fault.value("once", "");
     if (file.empty()) return true;
     const int descriptor = ::open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0644);
@@ -115,7 +117,7 @@ bool Injector::fires(Fault& fault, const std::string& call) {
     const double unlimited = std::numeric_limits<double>::infinity();
     const double count = fault.number("count", fault.values.contains("at") ? 1 : unlimited);
     return number >= from && number < from + count && falls_into(fault.number("share", 1), fault.calls) &&
-           is_first_process(fault);
+           is_time_by_files(fault);
 }
 
 cl_int Injector::before(const std::string& call) {

@@ -38,7 +38,7 @@ class Injector {
   private:
     bool fires(Fault& fault, const std::string& call);
     bool aims_at_last_launch(const Fault& fault, const std::string& call) const;
-    bool is_first_process(const Fault& fault) const;
+    bool is_time_by_files(const Fault& fault) const;
     cl_ulong time_ns(cl_event event, cl_profiling_info name) const;
 
     std::vector<Fault> faults_;
