@@ -19,8 +19,10 @@
 #include "bench/plan/data_dir.h"
 #include "bench/record/host.h"
 #include "bench/record/journal.h"
+#include "bench/record/strict_json.h"
 #include "bench/report/table.h"
 #include "bench/worker/progress.h"
+#include "core/source/source.h"
 
 namespace ptb {
 namespace {
@@ -122,6 +124,14 @@ ResultFile start_result(const Prepared& prepared, const Options& options,
     return result;
 }
 
+std::vector<std::string> hashed_scenes(const std::vector<Case>& cases) {
+    std::set<std::string> names;
+    for (const Case& c : cases) names.insert(c.scene);
+    std::vector<std::string> scenes;
+    for (const auto& name : names) scenes.push_back(name + " " + text_hash(read_text(scene_file(name))));
+    return scenes;
+}
+
 /// Leaves to be measured what the earlier run has not.
 void resume(const Options& options, Prepared& prepared, ResultFile& result) {
     go_on(result, *prepared.earlier, prepared.planned, options.run, prepared.config.measure.kernel_dir);
@@ -207,6 +217,7 @@ int run_command(const Options& options, const std::vector<std::string>& argv) {
     }
     tell_what_is_left_out(options.common, prepared.list);
     ResultFile result = start_result(prepared, options, argv);
+    result.run.scenes = hashed_scenes(prepared.planned);
     if (prepared.earlier) resume(options, prepared, result);
     const auto driver = only_driver(prepared.plan.devices);
     if (options.run.no_isolate) see_only(*driver);

@@ -36,6 +36,13 @@ void add_options(RunFingerprint& facts, const ResultFile& run) {
         if (!not_in_a_time.contains(key)) facts["option " + key] = dump_json(value);
 }
 
+void add_scenes(RunFingerprint& facts, const ResultFile& run) {
+    for (const std::string& scene : run.run.scenes) {
+        const auto split = scene.rfind(' ');
+        if (split != std::string::npos) facts["scene " + scene.substr(0, split)] = scene.substr(split + 1);
+    }
+}
+
 void add_kernels(RunFingerprint& facts, const ResultFile& run) {
     for (const Record& record : run.cases)
         if (record.build && !record.build->kernel_hash.empty())
@@ -54,6 +61,7 @@ RunFingerprint fingerprint_of(const ResultFile& run) {
     add_host(facts, run);
     add_devices(facts, run);
     add_options(facts, run);
+    add_scenes(facts, run);
     add_kernels(facts, run);
     return facts;
 }

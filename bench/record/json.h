@@ -97,7 +97,8 @@ inline constexpr auto fields<RunInfo> =
                     field("git_dirty", &RunInfo::git_dirty), field("compiler", &RunInfo::compiler),
                     field("started_at", &RunInfo::started_at), field("seed", &RunInfo::seed),
                     field("interrupted", &RunInfo::interrupted), field("wall_s", &RunInfo::wall_s),
-                    field("settings", &RunInfo::settings), field("resumed_at", &RunInfo::resumed_at));
+                    field("settings", &RunInfo::settings), field("resumed_at", &RunInfo::resumed_at),
+                    field("scenes", &RunInfo::scenes));
 
 template <>
 inline constexpr auto fields<ResultFile> = std::make_tuple(required("run", &ResultFile::run),

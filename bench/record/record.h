@@ -122,6 +122,7 @@ struct RunInfo {
     double wall_s = 0;                    ///< of all parts of a resumed run that came to their end
     ConfigText settings;                  ///< what flags made of the config
     std::vector<std::string> resumed_at;  ///< ISO 8601, UTC
+    std::vector<std::string> scenes;      ///< of the plan: "furnace 9f86d081884c7d65", name and text_hash
     bool operator==(const RunInfo&) const = default;
 };
 

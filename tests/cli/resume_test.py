@@ -114,6 +114,14 @@ class Refused(ResumeTest):
         self.scratch.write("kernels/pt/pt.cl", text + "/* faster */\n")
         self.refused(says="kernel pt (there ")
 
+    def test_another_scene(self):
+        scene = json.loads((SOURCE / "configs/scenes/furnace.json").read_text())
+        self.scratch.write("my scene.json", scene)
+        self.run_ok(*SWEEP, "--scene", "my scene.json", "--out", "out", "-q")
+        scene["materials"]["wall"]["radiance"] = [2, 2, 2]
+        self.scratch.write("my scene.json", scene)
+        self.refused(says="scene my scene.json (there ")
+
     def test_files_that_are_no_run(self):
         self.assert_refused("--resume", "nowhere", says="--resume")
         self.scratch.write("empty", "")
