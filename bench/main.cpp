@@ -6,6 +6,7 @@
 #include "bench/cli/commands.h"
 #include "bench/cli/exit_code.h"
 #include "bench/cli/interrupt.h"
+#include "bench/cli/resume.h"
 #include "bench/cli/tell.h"
 #include "bench/worker/device_worker.h"
 
@@ -51,6 +52,8 @@ int main(int argc, char** argv) {
     } catch (const ptb::UsageError& error) {
         return fail(ptb::exit_codes::usage, error.what());
     } catch (const ptb::VersionMismatch& error) {
+        return fail(ptb::exit_codes::not_comparable, error.what());
+    } catch (const ptb::NotComparable& error) {
         return fail(ptb::exit_codes::not_comparable, error.what());
     } catch (const std::exception& error) {
         return fail(ptb::exit_codes::failed, error.what());

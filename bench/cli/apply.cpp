@@ -2,6 +2,7 @@
 #include <set>
 
 #include "bench/cli/options.h"
+#include "bench/cli/resume.h"
 #include "bench/plan/data_dir.h"
 
 namespace ptb {
@@ -50,8 +51,11 @@ Axis axis_of_values(const std::string& axis, const std::string& values) {
     return parse_axis(axis + "=" + (bare_list ? "[" + values + "]" : values));
 }
 
-Config configured(const RunFlags& flags, const CommonFlags& common) {
-    Config config = load_config(flags.config, data_dir() / "configs");
+Config configured(const RunFlags& flags, const CommonFlags& common,
+                  const std::optional<ResultFile>& earlier) {
+    Config config = earlier && flags.config.empty()
+                        ? config_of(*earlier, flags.resume)
+                        : load_config(flags.config.empty() ? "quick" : flags.config, data_dir() / "configs");
     apply_devices(flags, config);
     for (const Axis& axis : axes_of(flags)) override_axis(config, axis);
     apply_measuring(flags, config);

@@ -2,26 +2,39 @@
 
 namespace ptb {
 
+namespace {
+
+Outcome outcome_of(Status status) {
+    switch (status) {
+        case Status::crash:
+        case Status::timeout:
+        case Status::runtime:
+        case Status::compile:
+            return {.failed = true};
+        case Status::invalid:
+            return {.wrong_image = true};
+        case Status::ok:
+        case Status::unsupported:
+        case Status::skipped:
+        case Status::unstable:
+            break;
+    }
+    return {};
+}
+
+}  // namespace
+
+Outcome& Outcome::operator|=(const Outcome& other) {
+    for (const auto reason :
+         {&Outcome::interrupted, &Outcome::no_device, &Outcome::failed, &Outcome::wrong_image,
+          &Outcome::not_comparable, &Outcome::coverage_lost, &Outcome::regressed, &Outcome::inconclusive})
+        this->*reason |= other.*reason;
+    return *this;
+}
+
 Outcome outcome_of(const std::vector<Record>& records) {
     Outcome outcome;
-    for (const Record& record : records) {
-        switch (record.status) {
-            case Status::crash:
-            case Status::timeout:
-            case Status::runtime:
-            case Status::compile:
-                outcome.failed = true;
-                break;
-            case Status::invalid:
-                outcome.wrong_image = true;
-                break;
-            case Status::ok:
-            case Status::unsupported:
-            case Status::skipped:
-            case Status::unstable:
-                break;
-        }
-    }
+    for (const Record& record : records) outcome |= outcome_of(record.status);
     return outcome;
 }
 

@@ -25,6 +25,9 @@ struct Outcome {
     bool interrupted = false, no_device = false;
     bool failed = false, wrong_image = false, not_comparable = false, coverage_lost = false,
          regressed = false, inconclusive = false;
+    /// Adds the other's reasons; how often a reason comes does not count.
+    Outcome& operator|=(const Outcome& other);
+    bool operator==(const Outcome&) const = default;
 };
 
 Outcome outcome_of(const std::vector<Record>& records);

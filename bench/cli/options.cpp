@@ -21,7 +21,8 @@ constexpr auto description =
     "Without a command it runs a config; `ptbench run` is the same.\n";
 constexpr auto footer =
     "Options of a run can also be set as PTBENCH_<OPTION>, e.g. PTBENCH_CONFIG=thesis.\n"
-    "Exit codes: 0 done, 1 a case failed, 2 usage, 4 a wrong image, 77 no OpenCL device, 130 interrupted.";
+    "Exit codes: 0 done, 1 a case failed, 2 usage, 4 a wrong image, 7 not comparable, "
+    "77 no OpenCL device, 130 interrupted.";
 
 /// Axis name and its flag, in the order of --help.
 struct AxisFlag {
@@ -107,7 +108,7 @@ void add_outputs(CLI::App& app, RunFlags& flags) {
 }
 
 void add_run(CLI::App& app, RunFlags& flags, bool& list) {
-    option(app, "--config", flags.config, "name or file of a config")->capture_default_str();
+    option(app, "--config", flags.config, "name or file of a config [quick]");
     list_option(app, "-d,--device", flags.devices,
                 "all, cpu, gpu, accelerator, 0, 0:1, a key, /regex/; repeatable");
     flag(app, "--all-devices", flags.all_devices, "every device of this machine");
@@ -116,6 +117,8 @@ void add_run(CLI::App& app, RunFlags& flags, bool& list) {
     add_axis_flags(app, flags.axis_values, true);
     add_measuring(app, flags);
     add_outputs(app, flags);
+    option(app, "--resume", flags.resume, "go on with the run of this journal or result file")
+        ->check(CLI::ExistingFile);
     flag(app, "--dry-run", flags.dry_run, "print the plan with its predicted cost");
     flag(app, "--dump-config", flags.dump_config, "print the config and end");
     app.add_flag("-l,--list", list, "same as `ptbench list`");

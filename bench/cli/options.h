@@ -22,7 +22,8 @@ struct RunFlags {
     std::vector<std::string> devices, axes;
     bool all_devices = false;
     std::map<std::string, std::string> axis_values;  ///< --spp, --wg, ...: axis name -> values
-    std::string config = "quick";
+    std::string config;                              ///< or empty: that of a resumed run, else "quick"
+    std::string resume;                              ///< journal or result file of a run to go on with
     std::optional<int> warmup, samples;
     std::optional<double> max_time_s, timeout_s, max_total_time_s;
     std::optional<std::uint64_t> seed;
@@ -63,8 +64,9 @@ struct Options {
 /// given. Throws UsageError, with the nearest match for a flag that does not exist.
 Options parse_options(std::vector<std::string> arguments);
 
-/// The config that the flags name, changed as the flags say.
-Config configured(const RunFlags& flags, const CommonFlags& common);
+/// The config that the flags name, or else the `earlier` run's, changed as the flags say.
+Config configured(const RunFlags& flags, const CommonFlags& common,
+                  const std::optional<ResultFile>& earlier = std::nullopt);
 
 /// "10,100" -> the axis "spp=[10,100]"
 Axis axis_of_values(const std::string& axis, const std::string& values);

@@ -23,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto to_stdout = "-";
+constexpr auto journal_name = "journal.jsonl", result_name = "result.json";
 
 using Files = std::vector<std::pair<std::string, fs::path>>;  ///< format and file
 
@@ -76,6 +77,15 @@ void print_to_stdout(const std::string& text) {
     }
 }
 
+/// A resumed run goes on in the folder where it began, if that is where its file still is.
+fs::path folder_of(const RunFlags& flags, const std::string& config, const std::string& started_at) {
+    if (!flags.out.empty()) return flags.out;
+    const fs::path resumed = flags.resume;
+    const bool of_a_run = resumed.filename() == journal_name || resumed.filename() == result_name;
+    if (!of_a_run) return default_folder(config, started_at);
+    return resumed.has_parent_path() ? resumed.parent_path() : ".";
+}
+
 /// What makes a better picture: the pt kernel, an implicit work-group, more samples.
 auto rank(const Case& c) { return std::tuple(c.kernel == "pt", c.work_group.implicit(), c.spp); }
 
@@ -105,7 +115,7 @@ Outputs::Outputs(fs::path folder) : folder_(std::move(folder)) {}
 
 // Once the delegated constructor is done, the destructor tidies up after one that throws.
 Outputs::Outputs(const RunFlags& flags, const std::string& config, const std::string& started_at)
-    : Outputs(flags.out.empty() ? default_folder(config, started_at) : fs::path(flags.out)) {
+    : Outputs(folder_of(flags, config, started_at)) {
     for (const auto& [format, destination] :
          {std::pair("json", flags.json), std::pair("csv", flags.csv), std::pair("md", flags.md)}) {
         if (!destination.empty()) asked_.emplace_back(format, destination);
@@ -113,7 +123,7 @@ Outputs::Outputs(const RunFlags& flags, const std::string& config, const std::st
     refuse_shared_files(files());
     created_ = create_folder(folder_);
     check_asked(asked_);
-    check_writable("--out", folder_ / "result.json");
+    check_writable("--out", folder_ / result_name);
 }
 
 Outputs::~Outputs() {
@@ -123,18 +133,26 @@ Outputs::~Outputs() {
     if (folder_.parent_path() == "ptbench-results") fs::remove(folder_.parent_path(), ignored);  // when empty
 }
 
-std::map<Case, std::string> Outputs::pictures(const std::vector<Case>& cases) {
+std::map<Case, std::string> Outputs::pictures(const std::vector<Case>& cases, const std::set<Case>& done) {
     std::map<Case, std::string> files;
+    std::set<std::string> kept;
     std::map<std::string, const Case*> best;
     for (const Case& c : cases) {
         const Case*& so_far = best[c.device];
         if (so_far != nullptr && rank(c) < rank(*so_far)) continue;
         so_far = &c;
-        files[c] = (folder_ / (file_safe(c.device) + ".png")).string();
-        pictures_.insert(files[c]);
+        const std::string file = (folder_ / (file_safe(c.device) + ".png")).string();
+        pictures_.insert(file);
+        if (done.contains(c)) {
+            kept.insert(file);
+            std::erase_if(files, [&](const auto& lesser) { return lesser.second == file; });
+        } else {
+            files[c] = file;
+        }
     }
     std::error_code ignored;
-    for (const auto& file : pictures_) fs::remove(file, ignored);  // an older run's is none of this one's
+    for (const auto& file : pictures_)
+        if (!kept.contains(file)) fs::remove(file, ignored);  // an older run's is none of this one's
     return files;
 }
 
@@ -142,6 +160,8 @@ bool Outputs::stdout_is_taken() const {
     return std::any_of(asked_.begin(), asked_.end(),
                        [](const auto& each) { return each.second == to_stdout; });
 }
+
+fs::path Outputs::journal() const { return folder_ / journal_name; }
 
 void Outputs::write(const ResultFile& result, const PublishedTable& published) {
     try {
@@ -154,7 +174,7 @@ void Outputs::write(const ResultFile& result, const PublishedTable& published) {
 
 std::vector<std::pair<std::string, fs::path>> Outputs::files() const {
     Files files{
-        {"json", folder_ / "result.json"}, {"csv", folder_ / "result.csv"}, {"md", folder_ / "table.md"}};
+        {"json", folder_ / result_name}, {"csv", folder_ / "result.csv"}, {"md", folder_ / "table.md"}};
     for (const auto& [format, destination] : asked_) {
         if (destination != to_stdout) files.emplace_back(format, destination);
     }

@@ -23,9 +23,10 @@ class Outputs {
     Outputs& operator=(const Outputs&) = delete;
 
     /// The picture of each device: cases in plan order write it, each as good as those before it or better,
-    /// so that a case that is skipped does not leave a device without one. Removes those of an older run.
-    std::map<Case, std::string> pictures(const std::vector<Case>& cases);
-    std::filesystem::path journal() const { return folder_ / "journal.jsonl"; }
+    /// so that a case that is skipped does not leave a device without one. `done` are those of a resumed run
+    /// that have; the pictures of any other older run are removed.
+    std::map<Case, std::string> pictures(const std::vector<Case>& cases, const std::set<Case>& done = {});
+    std::filesystem::path journal() const;
     bool stdout_is_taken() const;
 
     /// Writes all files; `published` stands beside the run's own times. Throws std::runtime_error with the

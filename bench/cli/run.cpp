@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
+#include <set>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -12,12 +14,15 @@
 #include "bench/cli/interrupt.h"
 #include "bench/cli/outputs.h"
 #include "bench/cli/plan_text.h"
+#include "bench/cli/resume.h"
 #include "bench/cli/tell.h"
 #include "bench/plan/data_dir.h"
 #include "bench/record/host.h"
 #include "bench/record/journal.h"
+#include "core/input/json.h"
 #include "bench/report/table.h"
 #include "bench/worker/progress.h"
+#include "core/source/source.h"
 
 namespace ptb {
 namespace {
@@ -45,17 +50,20 @@ class JournalWriter : public RunObserver {
 
 /// Everything a run needs, found and checked before any device does work.
 struct Prepared {
+    std::optional<ResultFile> earlier;  ///< the run to go on with
     Config config;
     PublishedTable published;
     DeviceList list;
-    RunPlan plan;
+    std::vector<Case> planned;
+    RunPlan plan;  ///< of the planned cases those that have no record
 };
 
 void check_before_devices(const Config& config) { check_names(expand(config, {DeviceInfo()})); }
 
 Prepared prepare(const Options& options) {
     Prepared prepared;
-    prepared.config = configured(options.run, options.common);
+    prepared.earlier = earlier_run(options.run);
+    prepared.config = configured(options.run, options.common, prepared.earlier);
     check_before_devices(prepared.config);
     prepared.published = read_published(data_dir() / "results" / "thesis-2016.json");
     prepared.list = find_devices(options.common);
@@ -64,7 +72,7 @@ Prepared prepare(const Options& options) {
     plan.measure = prepared.config.measure;
     plan.max_total_time_s = prepared.config.max_total_time_s;
     plan.devices = select_devices(prepared.config.devices, prepared.list.devices);
-    plan.cases = expand(prepared.config, plan.devices);
+    prepared.planned = plan.cases = expand(prepared.config, plan.devices);
     return prepared;
 }
 
@@ -105,6 +113,7 @@ ResultFile start_result(const Prepared& prepared, const Options& options,
                         const std::vector<std::string>& argv) {
     ResultFile result;
     result.run = run_info(argv, prepared.config.name, prepared.config.measure.seed);
+    result.run.settings.json = dump_config(prepared.config);
     result.host = host_info();
     result.devices = prepared.plan.devices;
     std::copy_if(prepared.list.devices.begin(), prepared.list.devices.end(),
@@ -115,6 +124,30 @@ ResultFile start_result(const Prepared& prepared, const Options& options,
     return result;
 }
 
+std::vector<std::string> hashed_scenes(const std::vector<Case>& cases) {
+    std::set<std::string> names;
+    for (const Case& c : cases) names.insert(c.scene);
+    std::vector<std::string> scenes;
+    for (const auto& name : names) scenes.push_back(name + " " + text_hash(read_text(scene_file(name))));
+    return scenes;
+}
+
+/// Leaves to be measured what the earlier run has not.
+void resume(const Options& options, Prepared& prepared, ResultFile& result) {
+    go_on(result, *prepared.earlier, prepared.planned, options.run, prepared.config.measure.kernel_dir);
+    prepared.plan.cases = missing(prepared.planned, result.cases);
+    tell(options.common, fmt::format("resumed: {} of {} cases are in {}", result.cases.size(),
+                                     prepared.planned.size(), options.run.resume));
+}
+
+/// The cases whose pictures there already are.
+std::set<Case> pictured(const std::vector<Record>& records) {
+    std::set<Case> cases;
+    for (const Record& record : records)
+        if (record.status == Status::ok) cases.insert(record.params);
+    return cases;
+}
+
 void run_plan(const Options& options, const Prepared& prepared, const Outputs& outputs,
               Coordinator& coordinator, ResultFile& result) {
     const Forecast forecast = coordinator.estimate();
@@ -122,7 +155,9 @@ void run_plan(const Options& options, const Prepared& prepared, const Outputs& o
     JournalWriter journal(outputs.journal(), result);
     ProgressPrinter progress(stderr, progress_style(options.common), prepared.plan, forecast,
                              use_colour(options.common, stderr));
-    result.cases = coordinator.run(forecast, {&journal, &progress});
+    const std::vector<Record> measured = coordinator.run(forecast, {&journal, &progress});
+    result.cases.insert(result.cases.end(), measured.begin(), measured.end());
+    result.cases = in_plan_order(prepared.planned, result.cases);
 }
 
 void report(const Options& options, const Prepared& prepared, Outputs& outputs, const ResultFile& result) {
@@ -131,7 +166,10 @@ void report(const Options& options, const Prepared& prepared, Outputs& outputs, 
     tell_build_logs(options.common, result.cases);
     outputs.write(result, prepared.published);
     tell(options.common, fmt::format("written: {}", fmt::join(outputs.written(), " ")));
-    if (result.run.interrupted) return;
+    if (result.run.interrupted) {
+        tell(options.common, fmt::format("go on with: ptbench --resume {}", outputs.journal().string()));
+        return;
+    }
     for (const auto& hint :
          hints(prepared.config, prepared.list.devices, prepared.plan.devices, result.cases)) {
         tell(options.common, "hint: " + hint);
@@ -144,15 +182,13 @@ int exit_code_of(const ResultFile& result) {
     return exit_code(outcome);
 }
 
-int measure(const Options& options, Prepared& prepared, const std::vector<std::string>& argv,
-            const Stopped& stopped) {
+int measure(const Options& options, Prepared& prepared, ResultFile& result, const Stopped& stopped) {
     const double start_s = steady_seconds();
-    ResultFile result = start_result(prepared, options, argv);
     Outputs outputs(options.run, prepared.config.name, result.run.started_at);
-    prepared.plan.image_files = outputs.pictures(prepared.plan.cases);
+    prepared.plan.image_files = outputs.pictures(prepared.planned, pictured(result.cases));
     Coordinator coordinator(prepared.plan, channels(options, prepared.config, stopped), stopped);
     run_plan(options, prepared, outputs, coordinator, result);
-    result.run.wall_s = steady_seconds() - start_s;
+    result.run.wall_s += steady_seconds() - start_s;
     result.run.interrupted = stopped();
     report(options, prepared, outputs, result);
     return exit_code_of(result);
@@ -171,7 +207,7 @@ int dry_run(const Options& options, const Prepared& prepared, const Stopped& sto
 
 int run_command(const Options& options, const std::vector<std::string>& argv) {
     if (options.run.dump_config) {
-        put(stdout, dump_config(configured(options.run, options.common)));
+        put(stdout, dump_config(configured(options.run, options.common, earlier_run(options.run))));
         return exit_codes::done;
     }
     Prepared prepared = prepare(options);
@@ -180,11 +216,14 @@ int run_command(const Options& options, const std::vector<std::string>& argv) {
         return exit_codes::no_device;
     }
     tell_what_is_left_out(options.common, prepared.list);
+    ResultFile result = start_result(prepared, options, argv);
+    result.run.scenes = hashed_scenes(prepared.planned);
+    if (prepared.earlier) resume(options, prepared, result);
     const auto driver = only_driver(prepared.plan.devices);
     if (options.run.no_isolate) see_only(*driver);
     const Stopped stopped = [&stop = watch_for_interruption()] { return stop.load(); };
     if (options.run.dry_run) return dry_run(options, prepared, stopped);
-    return measure(options, prepared, argv, stopped);
+    return measure(options, prepared, result, stopped);
 }
 
 }  // namespace ptb

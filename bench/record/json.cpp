@@ -78,6 +78,15 @@ void decode(const Json& json, const Where& where, Case& c) {
     }
 }
 
+Json encode(const ConfigText& config) {
+    return config.json.empty() ? Json(nullptr) : parse_json(config.json, "settings");
+}
+
+void decode(const Json& json, const Where& where, ConfigText& config) {
+    if (!json.is_object() && !json.is_null()) where.refuse(json, "a config");
+    config.json = json.is_null() ? "" : dump_json(json);
+}
+
 Json encode(Status status) { return to_string(status); }
 
 void decode(const Json& json, const Where& where, Status& status) {

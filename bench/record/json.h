@@ -96,7 +96,9 @@ inline constexpr auto fields<RunInfo> =
                     field("tool_version", &RunInfo::tool_version), field("git_sha", &RunInfo::git_sha),
                     field("git_dirty", &RunInfo::git_dirty), field("compiler", &RunInfo::compiler),
                     field("started_at", &RunInfo::started_at), field("seed", &RunInfo::seed),
-                    field("interrupted", &RunInfo::interrupted), field("wall_s", &RunInfo::wall_s));
+                    field("interrupted", &RunInfo::interrupted), field("wall_s", &RunInfo::wall_s),
+                    field("settings", &RunInfo::settings), field("resumed_at", &RunInfo::resumed_at),
+                    field("scenes", &RunInfo::scenes));
 
 template <>
 inline constexpr auto fields<ResultFile> = std::make_tuple(required("run", &ResultFile::run),
@@ -116,6 +118,8 @@ inline constexpr auto fields<MeasureOptions> = std::make_tuple(
 /// A case is written in the words of the axes: "size": "128x128", "work_group": "implicit", "lanes": "auto".
 Json encode(const Case& c);
 void decode(const Json& json, const Where& where, Case& c);
+Json encode(const ConfigText& config);
+void decode(const Json& json, const Where& where, ConfigText& config);
 Json encode(Status status);
 void decode(const Json& json, const Where& where, Status& status);
 

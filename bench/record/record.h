@@ -106,6 +106,12 @@ struct HostInfo {
     bool operator==(const HostInfo&) const = default;
 };
 
+/// A config as --dump-config prints it; in files an object.
+struct ConfigText {
+    std::string json;
+    bool operator==(const ConfigText&) const = default;
+};
+
 /// What was run.
 struct RunInfo {
     std::vector<std::string> argv;
@@ -113,7 +119,10 @@ struct RunInfo {
     bool git_dirty = false;
     std::uint64_t seed = 0;
     bool interrupted = false;
-    double wall_s = 0;
+    double wall_s = 0;                    ///< of all parts of a resumed run that came to their end
+    ConfigText settings;                  ///< what flags made of the config
+    std::vector<std::string> resumed_at;  ///< ISO 8601, UTC
+    std::vector<std::string> scenes;      ///< of the plan: "furnace 9f86d081884c7d65", name and text_hash
     bool operator==(const RunInfo&) const = default;
 };
 

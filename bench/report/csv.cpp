@@ -128,8 +128,9 @@ const Columns& other_columns() {
         {"lanes_run", of_work([](const Work& w) { return std::to_string(w.lanes); })},
         {"passes", of_work([](const Work& w) { return std::to_string(w.passes); })},
         {"build_ms", of_build([](const Build& b) { return real(b.build_ms, 6); })},
-        {"first_launch_ms",
-         of_build([](const Build& b) { return ms_text(static_cast<double>(b.first_launch_ns)); })},
+        {"first_launch_ms", of_build([](const Build& b) {
+             return b.first_launch_ns == 0 ? "" : ms_text(static_cast<double>(b.first_launch_ns));
+         })},
         {"kernel_hash", of_build([](const Build& b) { return text(b.kernel_hash); })},
         {"device_key", [](const Row& r) { return text(r.record.params.device); }},
         {"platform", [](const Row& r) { return text(r.device.platform); }},

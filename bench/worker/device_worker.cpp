@@ -56,7 +56,7 @@ void DeviceWorker::judge(const Reply& reply) {
 
 Reply DeviceWorker::request(const Request& request, const Channel::Progress& progress) {
     Reply reply = channel_->request(request, progress);
-    if (reply.end != Reply::End::answered) channel_.reset();
+    if (reply.end != Reply::End::answered || reply.response.device_failed) channel_.reset();
     return reply;
 }
 

@@ -13,7 +13,8 @@ struct VersionMismatch : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// One device's worker: opened on demand, replaced after it died, given up when it cannot open a second time.
+/// One device's worker: opened on demand, replaced after it died or its device failed, given up when it
+/// cannot open a second time.
 class DeviceWorker {
   public:
     DeviceWorker(const DeviceInfo& device, const OpenChannel& open, const MeasureOptions& measure)

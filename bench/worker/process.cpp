@@ -92,6 +92,14 @@ struct WorkerProcess::Impl {
         });
     }
 
+    /// What a child that lives has said so far is not what it will die of.
+    void forget_stderr() {
+        if (!running()) return;
+        io.restart();
+        io.poll();
+        tail.clear();
+    }
+
     bool running() {
         std::error_code ignored;
         return ending.empty() && child.running(ignored);
@@ -114,6 +122,7 @@ WorkerProcess::WorkerProcess(const ChildCommand& command) {
 WorkerProcess::~WorkerProcess() { kill(); }
 
 bool WorkerProcess::write_line(const std::string& line) {
+    impl_->forget_stderr();
     boost::system::error_code error;
     asio::write(impl_->in, asio::buffer(line), error);
     return !error;

@@ -40,7 +40,7 @@ class WorkerProcess {
     /// How the process ended: "killed by SIGSEGV (11)", "exited with code 3". Kills it when it does not end.
     std::string ending();
 
-    /// Last lines of the child's stderr, 4 KB at most.
+    /// Last lines of the child's stderr since a line was written to it, 4 KB at most.
     std::string stderr_tail() const;
 
     void kill();

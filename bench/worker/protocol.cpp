@@ -42,7 +42,7 @@ inline constexpr auto fields<Response> = std::make_tuple(
     required("kind", &Response::kind), required("protocol", &Response::protocol),
     field("tool_version", &Response::tool_version), field("ns_per_sample", &Response::ns_per_sample),
     field("stage", &Response::stage), field("done", &Response::done), field("record", &Response::record),
-    field("reason", &Response::reason));
+    field("reason", &Response::reason), field("device_failed", &Response::device_failed));
 
 namespace {
 

@@ -36,6 +36,8 @@ struct Response {
     double done = 0;               ///< progress: share of the stage, 0 to 1
     std::optional<Record> record;  ///< record
     std::string reason;            ///< failed
+    bool device_failed =
+        false;  ///< an OpenCL call failed: what this worker does from now on is worth nothing
     bool operator==(const Response&) const = default;
 };
 

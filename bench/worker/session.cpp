@@ -6,6 +6,7 @@
 #include "bench/plan/data_dir.h"
 #include "bench/version.h"
 #include "bench/worker/workbench.h"
+#include "core/ocl/error.h"
 
 namespace ptb {
 
@@ -25,6 +26,10 @@ class DeviceSession : public Session {
     void answer(const Request& request, const Send& send) override {
         try {
             send(answered(request, send));
+        } catch (const ocl::Error& e) {
+            Response response = failed(e.what());
+            response.device_failed = true;
+            send(response);
         } catch (const std::exception& e) {
             send(failed(e.what()));
         }
@@ -68,6 +73,7 @@ class DeviceSession : public Session {
         response.record =
             bench_->run(request.params, request.time_left_s.value_or(std::numeric_limits<double>::infinity()),
                         request.image_file, progress);
+        response.device_failed = response.record->status == Status::runtime;
         return response;
     }
 

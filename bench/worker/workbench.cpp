@@ -70,6 +70,8 @@ void conclude(Record& record, Status status, const std::string& reason) {
     if (status == Status::ok) return;
     record.samples.clear();
     record.statistics.reset();
+    if (record.work) record.work->longest_launch_ns = 0;
+    if (record.build) record.build->first_launch_ns = 0;
 }
 
 }  // namespace
@@ -103,6 +105,16 @@ Workbench::Job Workbench::resolve(const Case& params) {
                 params.work_group.x,
                 params.work_group.y};
     return job;
+}
+
+/// What is known of a build before it succeeds.
+Build Workbench::describe_source(const Job& job) const {
+    const KernelSource source = kernel_source(job.kernel->file, options_.kernel_dir);
+    Build build;
+    build.options = job.kernel->options(device_, *job.scene, job.work.lanes);
+    build.kernel_hash = source.hash;
+    build.overridden = source.overridden;
+    return build;
 }
 
 std::unique_ptr<Render> Workbench::make(const Job& job, const RenderJob& work) {
@@ -208,6 +220,8 @@ void Workbench::check_work_group(const Job& job, Record& record) {
         launched->advance(work.size.pixels());
     } catch (const ocl::Error& e) {
         if (job.params.work_group.implicit() || !refused_work_group(e)) throw;
+        work.work_group_x = work.work_group_y = 0;
+        make(job, work)->advance(work.size.pixels());  // a device that is lost refuses this too
         throw Unsupported(fmt::format("work_group {}: this kernel allows {} work-items here ({})",
                                       to_string(job.params.work_group), record.build->max_work_group,
                                       ocl::error_name(e.code())));
@@ -289,6 +303,8 @@ void Workbench::measure(const Job& job, double time_left_s, const std::string& i
     record.work->lanes = job.work.lanes;
     record.work->device_bytes = render->device_bytes();
     const Measurement measurement = take_samples(job, *render, time_left_s, progress, record);
+    if (options_.timer == "event" && !timer_fault_.empty())
+        throw Unsupported(fmt::format("--timer event: {}; auto takes the host's clock then", timer_fault_));
 
     const std::int64_t reading = now_ns();
     const Film film = render->read_film();
@@ -305,6 +321,7 @@ void Workbench::attempt(const Job& job, double time_left_s, const std::string& i
     const std::string unsupported = unsupported_reason(*job.kernel, device_, *job.scene, job.work);
     if (!unsupported.empty()) throw Unsupported(unsupported);
     progress("build", 0);
+    record.build = describe_source(job);
     RenderJob one_pixel = job.work;
     one_pixel.size = {1, 1};
     one_pixel.spp = 1;
@@ -329,10 +346,11 @@ Record Workbench::run(const Case& params, double time_left_s, const std::string&
     } catch (const Unsupported& e) {
         conclude(record, Status::unsupported, e.what());
     } catch (const ocl::BuildError& e) {
-        record.build = Build{};
         record.build->log = e.log();
         conclude(record, Status::compile, e.what());
     } catch (const SourceError& e) {
+        record.build = Build{};
+        record.build->overridden = true;  // the embedded kernels are whole
         conclude(record, Status::compile, e.what());
     } catch (const std::exception& e) {
         conclude(record, Status::runtime, e.what());

@@ -49,6 +49,7 @@ class Workbench {
 
     Job resolve(const Case& params);
     const Scene& scene(const std::string& name);
+    Build describe_source(const Job& job) const;
     BuiltKernel& built(const Job& job);
     std::unique_ptr<Render> make(const Job& job, const RenderJob& work);
     const Validation& validated(const Job& job, const Stage& progress);

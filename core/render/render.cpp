@@ -22,6 +22,15 @@ std::string describe(const cl::NDRange& range) {
     return text;
 }
 
+/// One of an event's times, 0 where the driver has none.
+std::uint64_t time_ns(const cl::Event& event, cl_profiling_info name) {
+    cl_ulong ns = 0;
+    const cl_int code = clGetEventProfilingInfo(event(), name, sizeof ns, &ns, nullptr);
+    if (code == CL_PROFILING_INFO_NOT_AVAILABLE) return 0;
+    if (code != CL_SUCCESS) throw cl::Error(code, "clGetEventProfilingInfo");
+    return ns;
+}
+
 }  // namespace
 
 std::vector<LaunchTimes> times_of(const std::vector<cl::Event>& events, const ocl::Device& device) {
@@ -31,10 +40,9 @@ std::vector<LaunchTimes> times_of(const std::vector<cl::Event>& events, const oc
             event.wait();
             times.emplace_back();
             if (!device.info.profiling) continue;
-            times.back() = {event.getProfilingInfo<CL_PROFILING_COMMAND_QUEUED>(),
-                            event.getProfilingInfo<CL_PROFILING_COMMAND_SUBMIT>(),
-                            event.getProfilingInfo<CL_PROFILING_COMMAND_START>(),
-                            event.getProfilingInfo<CL_PROFILING_COMMAND_END>()};
+            times.back() = {
+                time_ns(event, CL_PROFILING_COMMAND_QUEUED), time_ns(event, CL_PROFILING_COMMAND_SUBMIT),
+                time_ns(event, CL_PROFILING_COMMAND_START), time_ns(event, CL_PROFILING_COMMAND_END)};
         }
         return times;
     });

@@ -13,12 +13,6 @@ namespace ptb {
 
 namespace {
 
-std::string fnv1a(const std::string& text) {
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    return fmt::format("{:016x}", hash);
-}
-
 /// The quoted name of an include line, or nothing.
 std::string included(const std::string& line) {
     const std::string directive = "#include \"";
@@ -48,7 +42,7 @@ class Flattener {
     }
 
     KernelSource finish() {
-        source_.hash = fnv1a(source_.text);
+        source_.hash = text_hash(source_.text);
         return std::move(source_);
     }
 
@@ -73,6 +67,12 @@ class Flattener {
 };
 
 }  // namespace
+
+std::string text_hash(std::string_view text) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    return fmt::format("{:016x}", hash);
+}
 
 std::vector<std::string> embedded_files() {
     std::vector<std::string> names;

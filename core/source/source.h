@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ptb {
@@ -10,13 +11,16 @@ namespace ptb {
 /// One self-contained text for a driver: includes flattened, with #line directives that keep files and lines.
 struct KernelSource {
     std::string text;
-    std::string hash;         ///< 16 hexadecimal digits of the text's FNV-1a
+    std::string hash;         ///< of the text
     bool overridden = false;  ///< at least one file came from the override folder
 };
 
 struct SourceError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+/// 16 hexadecimal digits of the text's FNV-1a.
+std::string text_hash(std::string_view text);
 
 /// Names of the embedded kernel files, "pt/pt.cl", sorted.
 std::vector<std::string> embedded_files();

@@ -49,6 +49,8 @@ class Kernels(CliTest):
         self.assertEqual(record["status"], "compile")
         self.assertRegex(record["reason"], rf"pt/pt.cl:{line}:\d+.*mistake")
         self.assertRegex(record["build"]["log"], rf"pt/pt.cl:{line}:\d+.*mistake")
+        self.assertTrue(record["build"]["overridden"])
+        self.assertRegex(record["build"]["kernel_hash"], "^[0-9a-f]{16}$")
         self.assertEqual(record["samples"], [])
         verbose = self.run_ok(*ONE, "--kernel-dir", "kernels", "-v", code=1)
         self.assertIn("build log of pt on pocl:1", verbose.stderr)
@@ -64,6 +66,7 @@ class Kernels(CliTest):
         record = self.only_case(*ONE, "--kernel-dir", "kernels", code=1)
         self.assertEqual(record["status"], "compile")
         self.assertRegex(record["reason"], "pt/pt.cl:1: .*pt/nowhere.h")
+        self.assertTrue(record["build"]["overridden"])
 
     def test_a_wrong_image_is_not_timed(self):
         self.scratch.write("kernels/pt/pt.cl", PT_KERNEL.replace("sum.radiance += tally.radiance",

@@ -49,6 +49,7 @@ class Interrupted(CliTest):
                                          (2, "skipped", "interrupted")])
                 self.assertIn("interrupted: these are the cases measured until then", out)
                 self.assertIn("written: out/result.json", err)
+                self.assertIn("go on with: ptbench --resume out/journal.jsonl", err)
                 (self.scratch.work / "out/journal.jsonl").unlink()
 
     def test_a_second_one_ends_at_once_and_leaves_the_journal(self):

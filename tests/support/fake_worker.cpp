@@ -37,6 +37,7 @@ void misbehave(const std::string& how) {
     if (how == "exit") std::_Exit(3);
     if (how == "hang") std::this_thread::sleep_for(std::chrono::hours(1));
     if (how == "garbage") say("Segmentation fault (core dumped)\n");
+    if (how == "mutter") std::fputs("warning: this driver is old\n", stderr);
     if (how == "orphan") {  // dies while a child of its own keeps the pipes open
         if (::fork() == 0) std::this_thread::sleep_for(std::chrono::hours(1));
         std::_Exit(4);

@@ -28,7 +28,8 @@ RunFlags run_flags(const Words& words) { return parse_options(words).run; }
 TEST(cli_parse, nothing_is_a_run_of_the_quick_config) {
     const Options options = parse_options({});
     EXPECT_EQ(options.command, Options::Command::run);
-    EXPECT_EQ(options.run.config, "quick");
+    EXPECT_EQ(options.run.config, "");
+    EXPECT_EQ(configured(options.run, options.common).name, "quick");
     EXPECT_FALSE(options.run.no_isolate);
     EXPECT_FALSE(options.run.samples);
 }

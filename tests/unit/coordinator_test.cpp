@@ -84,6 +84,13 @@ TEST(coordinator, a_crash_names_the_signal_and_the_last_words) {
     EXPECT_EQ(reason_of("garbage"), "the worker answered nonsense: \"Segmentation fault (core dumped)\"");
 }
 
+TEST(coordinator, what_a_worker_said_in_an_earlier_case_is_not_why_it_died) {
+    const auto records =
+        run(plan_of({make_case("mutter", 1), make_case("mutter", 2), make_case("sigkill")}), fake_channels());
+    EXPECT_EQ(statuses(records), (std::vector{Status::ok, Status::ok, Status::crash}));
+    EXPECT_EQ(records[2].reason, "killed by SIGKILL (9)");
+}
+
 TEST(coordinator, records_come_in_plan_order_with_the_planned_parameters) {
     const RunPlan plan = plan_of({make_case("good", 3), make_case("sigkill"), make_case("good", 1)});
     const auto records = run(plan, fake_channels());

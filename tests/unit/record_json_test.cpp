@@ -60,8 +60,19 @@ Record failed_record() {
 
 ResultFile full_result() {
     ResultFile f;
-    f.run = {{"ptbench", "--all-devices"}, "quick", "0.1.0", "abc", "GCC 12",
-             "2026-01-01T00:00:00Z",       true,    7,       false, 2.5};
+    f.run = {{"ptbench", "--all-devices"},
+             "quick",
+             "0.1.0",
+             "abc",
+             "GCC 12",
+             "2026-01-01T00:00:00Z",
+             true,
+             7,
+             false,
+             2.5,
+             {"{\"name\":\"quick\"}"},
+             {"2026-01-02T00:00:00Z"},
+             {"a.json 12"}};
     f.host = {"box", "Linux", "6.1", "FX-6300", 6, 1u << 30, 0.5};
     DeviceInfo d;
     d.key = "pocl:0";

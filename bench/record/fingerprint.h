@@ -1,0 +1,24 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bench/record/record.h"
+
+namespace ptb {
+
+/// What two runs must share for their times to be of the same thing: a fact's name and its value. Devices and
+/// drivers, the CPU, ptbench itself, the texts of scenes and kernels, and options but those of patience
+/// (timeout, budget).
+using RunFingerprint = std::map<std::string, std::string>;
+
+/// "kernel pt": "9f86d081884c7d65", "driver of pocl:0": "3.1", "option samples": "5", ...
+RunFingerprint fingerprint_of(const ResultFile& run);
+
+/// One text a fact that differs: "cpu: A, here B" with `there` and `here` as names of the sides. Kernels that
+/// one side has not built are no difference.
+std::vector<std::string> differences(const RunFingerprint& a, const std::string& there,
+                                     const RunFingerprint& b, const std::string& here);
+
+}  // namespace ptb
