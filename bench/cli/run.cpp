@@ -13,6 +13,7 @@
 #include "bench/cli/outputs.h"
 #include "bench/cli/plan_text.h"
 #include "bench/cli/tell.h"
+#include "bench/measure/fit.h"
 #include "bench/plan/data_dir.h"
 #include "bench/record/host.h"
 #include "bench/record/journal.h"
@@ -92,7 +93,7 @@ std::vector<std::string> warnings_before(const HostInfo& host, const Options& op
     if (host.load_1min > 0.5 * host.cores) {
         warnings.push_back(
             fmt::format("load of {:.1f} on {} cores before the run; times on CPUs will vary: end "
-                        "other programs, or take more --samples",
+                        "other programs, or take more --min-samples",
                         host.load_1min, host.cores));
     }
     if (options.run.no_isolate) {
@@ -123,6 +124,7 @@ void run_plan(const Options& options, const Prepared& prepared, const Outputs& o
     ProgressPrinter progress(stderr, progress_style(options.common), prepared.plan, forecast,
                              use_colour(options.common, stderr));
     result.cases = coordinator.run(forecast, {&journal, &progress});
+    result.fits = fits_over_spp(result.cases);
 }
 
 void report(const Options& options, const Prepared& prepared, Outputs& outputs, const ResultFile& result) {
