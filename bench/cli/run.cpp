@@ -13,6 +13,7 @@
 #include "bench/cli/outputs.h"
 #include "bench/cli/plan_text.h"
 #include "bench/cli/tell.h"
+#include "bench/measure/clock.h"
 #include "bench/measure/fit.h"
 #include "bench/plan/data_dir.h"
 #include "bench/record/host.h"
@@ -155,6 +156,7 @@ int measure(const Options& options, Prepared& prepared, const std::vector<std::s
     Coordinator coordinator(prepared.plan, channels(options, prepared.config, stopped), stopped);
     run_plan(options, prepared, outputs, coordinator, result);
     result.run.wall_s = steady_seconds() - start_s;
+    result.run.coordinator_cpu_s = process_cpu_s();
     result.run.interrupted = stopped();
     report(options, prepared, outputs, result);
     return exit_code_of(result);

@@ -23,7 +23,7 @@ std::vector<double> warm_up(const Method& method, TimerWatch& timer, const TakeS
         const double elapsed_s = now_s() - begin_s;
         if (elapsed_s + method.predicted_s > method.stop.time_left_s) return true;
         if (method.warmup) return static_cast<int>(times_ns.size()) >= *method.warmup;
-        return warm(times_ns, elapsed_s);
+        return warm(times_ns, elapsed_s, method.stop.max_time_s);
     };
     while (!enough()) {
         const TimedRender timed = take("warmup", 1);

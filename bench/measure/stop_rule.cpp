@@ -37,12 +37,13 @@ bool precise(std::span<const double> times_ns) {
 
 }  // namespace
 
-bool warm(std::span<const double> times_ns, double elapsed_s) {
-    return steady(times_ns) || times_ns.size() >= most_warm_up || elapsed_s >= most_warm_up_s;
+bool warm(std::span<const double> times_ns, double elapsed_s, double max_time_s) {
+    const bool late = elapsed_s >= std::min(most_warm_up_s, max_time_s / 2);
+    return steady(times_ns) || times_ns.size() >= most_warm_up || late;
 }
 
-int usual_warmup(double sample_s) {
-    const double fit = std::ceil(most_warm_up_s / std::max(sample_s, 1e-9));
+int usual_warmup(double sample_s, double max_time_s) {
+    const double fit = std::ceil(std::min(most_warm_up_s, max_time_s / 2) / std::max(sample_s, 1e-9));
     return static_cast<int>(std::min(fit, 2.0 * window));
 }
 

@@ -9,11 +9,12 @@ namespace ptb {
 inline constexpr double precision = 0.01;   ///< wanted of a median: half its 95 % interval, as a share of it
 inline constexpr double long_sample_s = 3;  ///< a longer sample had its warm-up in the validation
 
-/// True once the last two windows of three samples have medians within 1 %, or after 10 samples or 5 s.
-bool warm(std::span<const double> times_ns, double elapsed_s);
+/// True once the last two windows of three samples have medians within 1 %, or after 10 samples, 5 s or half
+/// of the time for the timed samples.
+bool warm(std::span<const double> times_ns, double elapsed_s, double max_time_s);
 
 /// Samples that a steady device warms up with.
-int usual_warmup(double sample_s);
+int usual_warmup(double sample_s, double max_time_s);
 
 /// Samples that a case of such long samples needs: `min_samples`, over 3 s 6, over 30 s 3, over 5 min one.
 int enough_samples(double sample_s, int min_samples);

@@ -104,7 +104,8 @@ inline constexpr auto fields<RunInfo> =
                     field("tool_version", &RunInfo::tool_version), field("git_sha", &RunInfo::git_sha),
                     field("git_dirty", &RunInfo::git_dirty), field("compiler", &RunInfo::compiler),
                     field("started_at", &RunInfo::started_at), field("seed", &RunInfo::seed),
-                    field("interrupted", &RunInfo::interrupted), field("wall_s", &RunInfo::wall_s));
+                    field("interrupted", &RunInfo::interrupted), field("wall_s", &RunInfo::wall_s),
+                    field("coordinator_cpu_s", &RunInfo::coordinator_cpu_s));
 
 template <>
 inline constexpr auto fields<ResultFile> = std::make_tuple(required("run", &ResultFile::run),

@@ -127,6 +127,7 @@ struct RunInfo {
     std::uint64_t seed = 0;
     bool interrupted = false;
     double wall_s = 0;
+    double coordinator_cpu_s = 0;  ///< of the process that drives the workers: what measuring costs
     bool operator==(const RunInfo&) const = default;
 };
 

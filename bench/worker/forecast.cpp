@@ -23,7 +23,8 @@ std::optional<double> Forecast::case_s(const Case& c) const {
     const int wanted = std::min(enough_samples(*sample, measure_.min_samples), measure_.max_samples);
     const double fit = *sample > 0 ? std::floor(measure_.max_time_s / *sample) : wanted;
     const double timed = std::clamp(fit, 1.0, double(wanted));
-    const double warmup = *sample > long_sample_s ? 0 : measure_.warmup.value_or(usual_warmup(*sample));
+    const double warmup =
+        *sample > long_sample_s ? 0 : measure_.warmup.value_or(usual_warmup(*sample, measure_.max_time_s));
     return (warmup + timed) * *sample;
 }
 

@@ -209,12 +209,13 @@ TEST(Method, renders_too_short_for_the_timer_are_measured_many_at_a_time) {
 
 TEST(Warm, two_windows_of_three_must_agree) {
     const std::vector<double> falling{150, 140, 130, 101, 100, 99};
-    EXPECT_FALSE(warm(falling, 1));
-    EXPECT_TRUE(warm(falling, 5)) << "5 s are enough";
+    EXPECT_FALSE(warm(falling, 1, 30));
+    EXPECT_TRUE(warm(falling, 5, 30)) << "5 s are enough";
+    EXPECT_TRUE(warm(falling, 1, 2)) << "half of the time for samples is enough";
     const std::vector<double> steady{150, 101, 100, 99, 100, 101, 99};
-    EXPECT_TRUE(warm(steady, 1));
-    EXPECT_FALSE(warm(std::vector<double>(5, 100.0), 1));
-    EXPECT_TRUE(warm(std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, 1)) << "10 samples are enough";
+    EXPECT_TRUE(warm(steady, 1, 30));
+    EXPECT_FALSE(warm(std::vector<double>(5, 100.0), 1, 30));
+    EXPECT_TRUE(warm(std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, 1, 30)) << "10 samples are enough";
 }
 
 TEST(Causes, stolen_time_is_read_from_the_system) {
