@@ -21,7 +21,7 @@ std::vector<double> warm_up(const Method& method, TimerWatch& timer, const TakeS
     const double begin_s = now_s();
     const auto enough = [&] {
         const double elapsed_s = now_s() - begin_s;
-        if (elapsed_s + method.predicted_s > method.stop.time_left_s) return true;
+        if (elapsed_s + method.predicted_s > method.stop.time_left_s / 2) return true;
         if (method.warmup) return static_cast<int>(times_ns.size()) >= *method.warmup;
         return warm(times_ns, elapsed_s, method.stop.max_time_s);
     };

@@ -39,6 +39,11 @@ Record record_of(const Case& c, Reply reply) {
     return std::move(*reply.response.record);
 }
 
+/// A quarter of the budget is for repetitions, shared by all cases, whatever samples are still to come.
+double repetitions_s(const RunPlan& plan) {
+    return plan.max_total_time_s / 4 / static_cast<double>(plan.cases.size());
+}
+
 /// Seconds that one sample of each case after the i-th takes: no case's repetitions may use them up. What
 /// does not fit into the budget anyway has no part in it.
 std::vector<double> samples_to_come(const RunPlan& plan, const Forecast& forecast) {
@@ -141,7 +146,8 @@ Request Coordinator::run_request(std::size_t index) const {
     request.kind = Request::Kind::run;
     request.params = c;
     request.time_left_s = budget_left_s();
-    if (request.time_left_s) request.time_left_s = std::max(0.0, *request.time_left_s - reserved_s_[index]);
+    if (request.time_left_s)
+        request.time_left_s = std::max(repetitions_s(plan_), *request.time_left_s - reserved_s_[index]);
     const auto image = plan_.image_files.find(c);
     if (image != plan_.image_files.end()) request.image_file = image->second;
     return request;
