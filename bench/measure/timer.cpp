@@ -12,6 +12,7 @@ namespace ptb {
 
 namespace {
 
+constexpr int fewest_to_convict = 3;  ///< samples; one that disagrees may be a busy machine
 constexpr double ticks_per_sample = 100, most_renders = 10'000;
 constexpr std::uint64_t host_resolution_ns = 1000;  ///< of waking up, more than of the clock itself
 
@@ -95,7 +96,7 @@ void add_pass(TimeSample& sample, std::span<const LaunchTimes> launches, std::in
 TimerWatch::TimerWatch(std::string asked) : asked_(std::move(asked)) {}
 
 void TimerWatch::restart() {
-    fault_ = asked_ == "auto" ? reason() : "";
+    if (samples_ >= fewest_to_convict) fault_ = reason();
     samples_ = disagreeing_ = 0;
 }
 

@@ -44,7 +44,8 @@ struct TimerEvidence {
 };
 
 /// Decides by which clock a device is measured: by its own until that is caught wrong, or as asked for
-/// ("auto", "event", "host"). Clocks that disagree are a fault once most samples of a case show it.
+/// ("auto", "event", "host"). Clocks that disagree are a fault once most samples of a case show it, and of
+/// the device if those were three or more.
 class TimerWatch {
   public:
     explicit TimerWatch(std::string asked);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """How often the validation rejects a right kernel: validates it with one seed after another until the time is up.
 
-usage: false_alarms.py PTBENCH DEVICE SECONDS [OPTION OF ptbench...]
+usage: false_alarms.py PTBENCH DEVICE KERNEL SECONDS [OPTION OF ptbench...]
 """
 
 import json
@@ -11,21 +11,21 @@ import tempfile
 import time
 
 
-def validation(ptbench, device, seed, options):
+def validation(ptbench, device, kernel, seed, options):
     """Of one process with one seed; the case itself is one pixel."""
     with tempfile.TemporaryDirectory() as folder:
-        run = [ptbench, "-q", "-d", device, "--kernel", "pt", "--size", "1", "--spp", "1", "--wg", "implicit",
+        run = [ptbench, "-q", "-d", device, "--kernel", kernel, "--size", "1", "--spp", "1", "--wg", "implicit",
                "--skip-time", "--seed", str(seed), "--out", folder, "--json", "-", *options]
         result = subprocess.run(run, check=False, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     (record,) = json.loads(result.stdout)["cases"]
     return record["validation"]
 
 
-def main(ptbench, device, seconds, *options):
+def main(ptbench, device, kernel, seconds, *options):
     end = time.monotonic() + float(seconds)
     found = []
     while time.monotonic() < end:
-        found.append(validation(ptbench, device, len(found) + 1, options))
+        found.append(validation(ptbench, device, kernel, len(found) + 1, options))
         if not found[-1]["valid"]:
             print(f"seed {len(found)} rejected: {found[-1]['reason']}", flush=True)
     rejected = sum(not each["valid"] for each in found)

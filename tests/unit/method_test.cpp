@@ -14,6 +14,7 @@ namespace {
 /// the same seed gives the same times.
 struct Device {
     std::function<double(int number, double now_s)> render_ns;
+    std::string timer_fault = {};
     double now_s = 0;
     int warm_ups = 0, samples = 0, most_renders = 0;
 
@@ -26,6 +27,8 @@ struct Device {
         TimedRender timed;
         timed.time.kernel_ns = timed.time.sum_ns = std::llround(ns);
         timed.time.host_ns = std::llround(ns * 1.001);
+        timed.timer.fault = timer_fault;
+        if (!timer_fault.empty()) timed.time.cause = cause::timer_fault;
         return timed;
     }
 };
@@ -46,8 +49,8 @@ struct Result {
     std::string unstable;
 };
 
-Result run(Device& device, Method method = {}) {
-    TimerWatch timer("auto");
+Result run(Device& device, Method method = {}, const std::string& asked = "auto") {
+    TimerWatch timer(asked);
     const auto measured = measure(
         method, timer, [&](const std::string& stage, int renders) { return device.take(stage, renders); },
         [&] { return device.now_s; });
@@ -205,6 +208,21 @@ TEST(Method, renders_too_short_for_the_timer_are_measured_many_at_a_time) {
     EXPECT_EQ(result.measured.renders, device.most_renders);
     EXPECT_NEAR(result.measured.renders, 10, 1) << "100 ticks of 1 us are 10 renders of 10 us";
     EXPECT_NEAR(result.statistics.median_ns, 10'000, 100) << "the time is that of one render";
+}
+
+TEST(Method, a_clock_that_contradicts_itself_is_replaced_unless_it_is_insisted_on) {
+    Device device{noisy(10, 0.002), "the device's event times are zero"};
+    const Result host = run(device), event = run(device, {}, "event");
+    EXPECT_EQ(host.statistics.timer, "host");
+    EXPECT_EQ(host.statistics.timer_reason, "the device's event times are zero");
+    EXPECT_EQ(host.statistics.flagged, 0);
+    EXPECT_NEAR(host.statistics.median_ns, 10.01e6, 0.02e6);
+    EXPECT_EQ(host.unstable, "");
+    EXPECT_EQ(event.statistics.timer, "event");
+    EXPECT_EQ(
+        event.unstable,
+        "10 of 10 samples are flagged (timer_fault 10): the device's event times are wrong: use --timer auto "
+        "or host");
 }
 
 TEST(Warm, two_windows_of_three_must_agree) {

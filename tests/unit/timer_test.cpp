@@ -88,6 +88,14 @@ TEST(TimerWatch, one_sample_that_disagrees_is_a_busy_machine_and_most_are_a_faul
     EXPECT_TRUE(watch.host()) << "a device keeps its fault";
 }
 
+TEST(TimerWatch, a_single_sample_that_disagrees_convicts_its_case_and_not_the_device) {
+    TimerWatch watch("auto");
+    watch.observe({"", true, 0});
+    EXPECT_TRUE(watch.host());
+    watch.restart();
+    EXPECT_FALSE(watch.host());
+}
+
 TEST(TimerWatch, the_clock_that_is_asked_for_is_used) {
     TimerWatch event("event"), host("host");
     event.observe({"the device's event times are zero", true, 0});
