@@ -96,7 +96,7 @@ void add_pass(TimeSample& sample, std::span<const LaunchTimes> launches, std::in
 TimerWatch::TimerWatch(std::string asked) : asked_(std::move(asked)) {}
 
 void TimerWatch::restart() {
-    if (samples_ >= fewest_to_convict) fault_ = reason();
+    if (asked_ == "auto" && samples_ >= fewest_to_convict) fault_ = reason();
     samples_ = disagreeing_ = 0;
 }
 

@@ -53,6 +53,8 @@ class TimerWatch {
     void restart();
     void observe(const TimerEvidence& evidence);
     bool host() const;
+    /// How the device's clock contradicted itself, or nothing.
+    const std::string& fault() const { return fault_; }
     /// Why the host's clock is used, or nothing.
     std::string reason() const;
     /// The coarser of what the driver says, what the timestamps show, and what the host's clock can.

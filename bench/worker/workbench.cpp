@@ -281,6 +281,8 @@ void Workbench::measure(const Job& job, double time_left_s, const std::string& i
     record.work->lanes = job.work.lanes;
     record.work->device_bytes = render->device_bytes();
     const Measurement measurement = take_samples(job, *render, time_left_s, progress, record);
+    if (options_.timer == "event" && !timer_.fault().empty())
+        throw Unsupported(fmt::format("--timer event: {}; auto takes the host's clock then", timer_.fault()));
 
     const std::int64_t reading = now_ns();
     const Film film = render->read_film();
