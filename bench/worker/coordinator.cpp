@@ -145,9 +145,8 @@ Request Coordinator::run_request(std::size_t index) const {
     Request request;
     request.kind = Request::Kind::run;
     request.params = c;
-    request.time_left_s = budget_left_s();
-    if (request.time_left_s)
-        request.time_left_s = std::max(repetitions_s(plan_), *request.time_left_s - reserved_s_[index]);
+    if (const auto left_s = budget_left_s())
+        request.time_left_s = std::min(*left_s, std::max(repetitions_s(plan_), *left_s - reserved_s_[index]));
     const auto image = plan_.image_files.find(c);
     if (image != plan_.image_files.end()) request.image_file = image->second;
     return request;
