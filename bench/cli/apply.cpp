@@ -32,8 +32,11 @@ void apply(const std::optional<Value>& flag, Value& value) {
 }
 
 void apply_measuring(const RunFlags& flags, Config& config) {
-    apply(flags.warmup, config.measure.warmup);
-    apply(flags.samples, config.measure.samples);
+    if (flags.warmup) config.measure.warmup = flags.warmup;
+    apply(flags.samples, config.measure.min_samples);
+    apply(flags.samples, config.measure.max_samples);
+    apply(flags.min_samples, config.measure.min_samples);
+    apply(flags.max_samples, config.measure.max_samples);
     apply(flags.max_time_s, config.measure.max_time_s);
     apply(flags.seed, config.measure.seed);
     apply(flags.timeout_s, config.timeout_s);

@@ -83,9 +83,13 @@ void add_common(CLI::App& app, CommonFlags& flags) {
 }
 
 void add_measuring(CLI::App& app, RunFlags& flags) {
-    option(app, "-w,--warmup", flags.warmup, "untimed samples before the timed ones")
+    option(app, "-w,--warmup", flags.warmup, "untimed samples before the timed ones [until steady]")
         ->check(whole_number(0, limits::most_repetitions));
-    option(app, "--samples", flags.samples, "timed samples of a case")
+    option(app, "--samples", flags.samples, "timed samples of a case: both of the next two")
+        ->check(whole_number(1, limits::most_repetitions));
+    option(app, "--min-samples", flags.min_samples, "timed samples before the median may be precise enough")
+        ->check(whole_number(1, limits::most_repetitions));
+    option(app, "--max-samples", flags.max_samples, "timed samples of a case, at most")
         ->check(whole_number(1, limits::most_repetitions));
     option(app, "--max-time", flags.max_time_s, "no further sample of a case after these seconds")
         ->check(seconds(false));
@@ -103,6 +107,7 @@ void add_measuring(CLI::App& app, RunFlags& flags) {
 void add_outputs(CLI::App& app, RunFlags& flags) {
     option(app, "--json", flags.json, "also write the result file here (- for stdout)");
     option(app, "--csv", flags.csv, "also write CSV here (- for stdout)");
+    option(app, "--csv-samples", flags.csv_samples, "write every sample as CSV here (- for stdout)");
     option(app, "--md", flags.md, "also write Markdown here (- for stdout)");
     option(app, "--out", flags.out, "folder of all outputs [ptbench-results/TIME-CONFIG]");
 }

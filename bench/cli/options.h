@@ -24,13 +24,13 @@ struct RunFlags {
     std::map<std::string, std::string> axis_values;  ///< --spp, --wg, ...: axis name -> values
     std::string config;                              ///< or empty: that of a resumed run, else "quick"
     std::string resume;                              ///< journal or result file of a run to go on with
-    std::optional<int> warmup, samples;
+    std::optional<int> warmup, samples, min_samples, max_samples;
     std::optional<double> max_time_s, timeout_s, max_total_time_s;
     std::optional<std::uint64_t> seed;
     std::string timer;
     bool skip_time = false, dry_run = false, dump_config = false, no_isolate = false;
-    std::string json, csv, md;  ///< files, or "-" for stdout
-    std::string out;            ///< folder of the run's outputs, or empty for one named after time and config
+    std::string json, csv, csv_samples, md;  ///< files, or "-" for stdout
+    std::string out;  ///< folder of the run's outputs, or empty for one named after time and config
 };
 
 struct ListFlags {

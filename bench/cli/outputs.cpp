@@ -47,7 +47,8 @@ void check_asked(const std::vector<std::pair<std::string, std::string>>& asked) 
         if (destination != to_stdout) check_writable("--" + format, destination);
         taking_stdout += destination == to_stdout ? 1 : 0;
     }
-    if (taking_stdout > 1) throw UsageError("only one of --json, --csv and --md can write to stdout (-)");
+    if (taking_stdout > 1)
+        throw UsageError("only one of --json, --csv, --csv-samples and --md can write to stdout (-)");
 }
 
 /// "2016-05-17T09:30:00Z" -> "2016-05-17T09-30-00Z-quick"; numbered when that is there already.
@@ -67,6 +68,7 @@ bool create_folder(const fs::path& folder) {
 
 std::string text_in(const std::string& format, const ResultFile& result, const PublishedTable& published) {
     if (format == "json") return result_text(result);
+    if (format == "csv-samples") return csv_samples(result);
     return format == "csv" ? csv(result) : markdown(result, published);
 }
 
@@ -117,7 +119,8 @@ Outputs::Outputs(fs::path folder) : folder_(std::move(folder)) {}
 Outputs::Outputs(const RunFlags& flags, const std::string& config, const std::string& started_at)
     : Outputs(folder_of(flags, config, started_at)) {
     for (const auto& [format, destination] :
-         {std::pair("json", flags.json), std::pair("csv", flags.csv), std::pair("md", flags.md)}) {
+         {std::pair("json", flags.json), std::pair("csv", flags.csv),
+          std::pair("csv-samples", flags.csv_samples), std::pair("md", flags.md)}) {
         if (!destination.empty()) asked_.emplace_back(format, destination);
     }
     refuse_shared_files(files());

@@ -12,7 +12,8 @@
 
 namespace ptb {
 
-/// The outputs of a run: a folder with everything, and what --json, --csv and --md ask for beside it.
+/// The outputs of a run: a folder with everything, and what --json, --csv, --csv-samples and --md ask for
+/// beside it.
 class Outputs {
   public:
     /// Creates the folder and makes sure that everything can be written. Throws UsageError, leaving nothing.

@@ -16,6 +16,8 @@
 #include "bench/cli/plan_text.h"
 #include "bench/cli/resume.h"
 #include "bench/cli/tell.h"
+#include "bench/measure/clock.h"
+#include "bench/measure/fit.h"
 #include "bench/plan/data_dir.h"
 #include "bench/record/host.h"
 #include "bench/record/journal.h"
@@ -100,7 +102,7 @@ std::vector<std::string> warnings_before(const HostInfo& host, const Options& op
     if (host.load_1min > 0.5 * host.cores) {
         warnings.push_back(
             fmt::format("load of {:.1f} on {} cores before the run; times on CPUs will vary: end "
-                        "other programs, or take more --samples",
+                        "other programs, or take more --min-samples",
                         host.load_1min, host.cores));
     }
     if (options.run.no_isolate) {
@@ -158,6 +160,7 @@ void run_plan(const Options& options, const Prepared& prepared, const Outputs& o
     const std::vector<Record> measured = coordinator.run(forecast, {&journal, &progress});
     result.cases.insert(result.cases.end(), measured.begin(), measured.end());
     result.cases = in_plan_order(prepared.planned, result.cases);
+    result.fits = fits_over_spp(result.cases);
 }
 
 void report(const Options& options, const Prepared& prepared, Outputs& outputs, const ResultFile& result) {
@@ -189,6 +192,7 @@ int measure(const Options& options, Prepared& prepared, ResultFile& result, cons
     Coordinator coordinator(prepared.plan, channels(options, prepared.config, stopped), stopped);
     run_plan(options, prepared, outputs, coordinator, result);
     result.run.wall_s += steady_seconds() - start_s;
+    result.run.coordinator_cpu_s += process_cpu_s();
     result.run.interrupted = stopped();
     report(options, prepared, outputs, result);
     return exit_code_of(result);

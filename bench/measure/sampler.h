@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
 
+#include "bench/measure/timer.h"
 #include "bench/record/record.h"
 #include "core/render/render.h"
 
@@ -22,11 +22,10 @@ class PassCutter {
     std::uint64_t next_ = 4096;
 };
 
-/// One full render under both clocks.
+/// Full renders under both clocks; times are of all of them together.
 struct TimedRender {
     TimeSample time;
-    std::string timer_fault;      ///< what was wrong with the events, or nothing
-    std::int64_t covered_ns = 0;  ///< of the host's time, what the events account for
+    TimerEvidence timer;
     int passes = 0;
     std::int64_t longest_launch_ns = 0;
 };
@@ -34,9 +33,16 @@ struct TimedRender {
 /// Told after every pass how much of the render is done, 0 to 1; answers whether to go on.
 using Progress = std::function<bool(double done)>;
 
-/// Renders from an empty film to the end, pass by pass. The events' own lengths steer the cutter, the host's
-/// clock where they are useless.
-TimedRender timed_render(Render& render, PassCutter& cutter, std::uint64_t timer_resolution_ns,
-                         const Progress& progress);
+/// How to render: the cutter learns, and `progress` may end it early.
+struct Timing {
+    PassCutter& cutter;
+    std::uint64_t timer_resolution_ns;
+    Progress progress;
+    int renders = 1;
+};
+
+/// Renders from an empty film to the end, pass by pass, `renders` times. The events' own lengths steer the
+/// cutter, the host's clock where they are useless.
+TimedRender timed_render(Render& render, const Timing& timing);
 
 }  // namespace ptb

@@ -1,6 +1,9 @@
 #include "bench/measure/timer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -8,6 +11,10 @@
 namespace ptb {
 
 namespace {
+
+constexpr int fewest_to_convict = 3;  ///< samples; one that disagrees may be a busy machine
+constexpr double ticks_per_sample = 100, most_renders = 10'000;
+constexpr std::uint64_t host_resolution_ns = 1000;  ///< of waking up, more than of the clock itself
 
 std::int64_t span_ns(std::uint64_t from, std::uint64_t to) { return static_cast<std::int64_t>(to - from); }
 
@@ -61,6 +68,20 @@ bool clocks_disagree(std::int64_t covered_ns, std::int64_t host_ns) {
     return host_ns > 10'000'000 && static_cast<double>(host_ns) > 1.2 * static_cast<double>(covered_ns);
 }
 
+int renders_per_sample(double render_ns, std::uint64_t resolution_ns) {
+    const double wanted_ns = ticks_per_sample * static_cast<double>(resolution_ns);
+    return static_cast<int>(std::clamp(std::ceil(wanted_ns / std::max(render_ns, 1.0)), 1.0, most_renders));
+}
+
+std::uint64_t tick_ns(std::span<const LaunchTimes> launches, std::uint64_t so_far) {
+    if (launches.empty()) return so_far;
+    const std::uint64_t origin = launches.front().start;
+    for (const LaunchTimes& t : launches)
+        for (const std::uint64_t at : {t.queued, t.submit, t.start, t.end})
+            so_far = std::gcd(so_far, std::max(at, origin) - std::min(at, origin));
+    return so_far;
+}
+
 void add_pass(TimeSample& sample, std::span<const LaunchTimes> launches, std::int64_t host_ns) {
     sample.host_ns += host_ns;
     sample.kernel_ns += union_ns(launches);
@@ -70,6 +91,35 @@ void add_pass(TimeSample& sample, std::span<const LaunchTimes> launches, std::in
         sample.queued_ns += span_ns(t.queued, t.submit);
         sample.submit_ns += span_ns(t.submit, t.start);
     }
+}
+
+TimerWatch::TimerWatch(std::string asked) : asked_(std::move(asked)) {}
+
+void TimerWatch::restart() {
+    if (asked_ == "auto" && samples_ >= fewest_to_convict) fault_ = reason();
+    samples_ = disagreeing_ = 0;
+}
+
+void TimerWatch::observe(const TimerEvidence& evidence) {
+    ++samples_;
+    disagreeing_ += evidence.disagrees ? 1 : 0;
+    if (evidence.fault.empty()) tick_ns_ = std::gcd(tick_ns_, evidence.tick_ns);
+    if (fault_.empty()) fault_ = evidence.fault;
+}
+
+bool TimerWatch::host() const { return asked_ == "host" || (asked_ == "auto" && !reason().empty()); }
+
+std::string TimerWatch::reason() const {
+    if (asked_ == "event") return "";
+    if (asked_ == "host") return "asked for";
+    if (!fault_.empty()) return fault_;
+    if (2 * disagreeing_ <= samples_) return "";
+    return fmt::format("the events miss over a sixth of the host's time in {} of {} samples", disagreeing_,
+                       samples_);
+}
+
+std::uint64_t TimerWatch::resolution_ns(std::uint64_t claimed_ns) const {
+    return host() ? host_resolution_ns : std::max(claimed_ns, tick_ns_);
 }
 
 }  // namespace ptb

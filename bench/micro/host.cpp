@@ -53,7 +53,7 @@ Record a_record(int number) {
     record.work.emplace().samples = 1u << 20;
     record.build.emplace().options = "-cl-std=CL1.2 -DPTB_LANES=16";
     for (int i = 0; i < 5; ++i)
-        record.samples.push_back({1'000'000 + i, 1'000'000, 1'010'000, 1000, 2000, ""});
+        record.samples.push_back({1'000'000 + i, 1'000'000, 1'010'000, 1000, 2000, 0, ""});
     record.statistics.emplace().median_ns = 1e6 / 3;
     record.validation.emplace().checks = {"finite", "counts", "blocks"};
     return record;

@@ -60,14 +60,14 @@ void time_renders(benchmark::State& state, DeviceBench& bench, const Integrator&
     const auto render = kernel.make(bench.device(), bench.program(kernel, job.lanes), bench.scene(), job);
     PassCutter cutter;
     const auto once = [&] {
-        return timed_render(*render, cutter, bench.device().info.timer_resolution_ns,
-                            [](double) { return true; });
+        return timed_render(*render,
+                            {cutter, bench.device().info.timer_resolution_ns, [](double) { return true; }});
     };
-    std::string fault = once().timer_fault;  // the first render warms up: some drivers compile in it
+    std::string fault = once().timer.fault;  // the first render warms up: some drivers compile in it
     for (auto _ : state) {
         const TimedRender timed = once();
-        if (fault.empty()) fault = timed.timer_fault;
-        const bool host = !timed.timer_fault.empty() || timed.time.kernel_ns == 0;
+        if (fault.empty()) fault = timed.timer.fault;
+        const bool host = !timed.timer.fault.empty() || timed.time.kernel_ns == 0;
         state.SetIterationTime(static_cast<double>(host ? timed.time.host_ns : timed.time.kernel_ns) * 1e-9);
     }
     const Film film = render->read_film();

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,8 +32,9 @@ struct Series {
 /// How a case is measured; the part of a config that workers need.
 struct MeasureOptions {
     std::uint64_t seed = 1;
-    int warmup = 1;              ///< untimed samples before the timed ones
-    int samples = 5;             ///< timed samples of a case
+    std::optional<int> warmup;   ///< untimed samples before the timed ones; absent: until steady
+    int min_samples = 10;        ///< timed samples before a case may be precise enough
+    int max_samples = 1000;      ///< timed samples of a case; wins over min_samples
     double max_time_s = 30;      ///< no further sample of a case starts after this; one is always taken
     std::string timer = "auto";  ///< "auto", "event" or "host"
     bool skip_time = false;      ///< validate only

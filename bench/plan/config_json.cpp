@@ -64,8 +64,14 @@ const std::vector<std::pair<std::string, Reader>>& readers() {
         {"name", [](J j, W w, Config& c) { decode(j, w, c.name); }},
         {"description", [](J j, W w, Config& c) { decode(j, w, c.description); }},
         {"device", [](J j, W w, Config& c) { read_devices(j, w, c.devices); }},
-        {"warmup", [](J j, W w, Config& c) { read_count(j, w, 0, c.measure.warmup); }},
-        {"samples", [](J j, W w, Config& c) { read_count(j, w, 1, c.measure.samples); }},
+        {"warmup", [](J j, W w, Config& c) { read_count(j, w, 0, c.measure.warmup.emplace()); }},
+        {"samples",
+         [](J j, W w, Config& c) {
+             read_count(j, w, 1, c.measure.min_samples);
+             c.measure.max_samples = c.measure.min_samples;
+         }},
+        {"min_samples", [](J j, W w, Config& c) { read_count(j, w, 1, c.measure.min_samples); }},
+        {"max_samples", [](J j, W w, Config& c) { read_count(j, w, 1, c.measure.max_samples); }},
         {"max_time", [](J j, W w, Config& c) { read_seconds(j, w, false, c.measure.max_time_s); }},
         {"max_total_time", [](J j, W w, Config& c) { read_seconds(j, w, true, c.max_total_time_s); }},
         {"timeout", [](J j, W w, Config& c) { read_seconds(j, w, false, c.timeout_s); }},
@@ -103,8 +109,9 @@ std::string dump_config(const Config& config) {
     json["name"] = config.name;
     json["description"] = config.description;
     json["device"] = config.devices;
-    json["warmup"] = config.measure.warmup;
-    json["samples"] = config.measure.samples;
+    if (config.measure.warmup) json["warmup"] = *config.measure.warmup;
+    json["min_samples"] = config.measure.min_samples;
+    json["max_samples"] = config.measure.max_samples;
     json["max_time"] = config.measure.max_time_s;
     json["max_total_time"] = config.max_total_time_s;
     json["timeout"] = config.timeout_s;

@@ -10,13 +10,11 @@ namespace ptb {
 // nlohmann/json looks for, `Json json = x` and `json.get<X>()`. Optional values that are absent are null.
 
 template <>
-inline constexpr auto fields<Work> = std::make_tuple(field("samples", &Work::samples),
-                                                     field("segments", &Work::segments),
-                                                     field("full_length_paths", &Work::full_length_paths),
-                                                     field("lanes", &Work::lanes),
-                                                     field("passes", &Work::passes),
-                                                     field("longest_launch_ns", &Work::longest_launch_ns),
-                                                     field("device_bytes", &Work::device_bytes));
+inline constexpr auto fields<Work> = std::make_tuple(
+    field("samples", &Work::samples), field("segments", &Work::segments),
+    field("full_length_paths", &Work::full_length_paths), field("lanes", &Work::lanes),
+    field("renders", &Work::renders), field("passes", &Work::passes),
+    field("longest_launch_ns", &Work::longest_launch_ns), field("device_bytes", &Work::device_bytes));
 
 template <>
 inline constexpr auto fields<Build> = std::make_tuple(
@@ -33,17 +31,19 @@ inline constexpr auto fields<TimeSample> = std::make_tuple(required("kernel_ns",
                                                            required("host_ns", &TimeSample::host_ns),
                                                            field("queued_ns", &TimeSample::queued_ns),
                                                            field("submit_ns", &TimeSample::submit_ns),
+                                                           field("probe_ns", &TimeSample::probe_ns),
                                                            field("cause", &TimeSample::cause));
 
 template <>
 inline constexpr auto fields<Statistics> = std::make_tuple(
     field("timer", &Statistics::timer), field("timer_reason", &Statistics::timer_reason),
-    required("n", &Statistics::n), required("median_ns", &Statistics::median_ns),
-    field("mad_ns", &Statistics::mad_ns), field("mean_ns", &Statistics::mean_ns),
-    field("min_ns", &Statistics::min_ns), field("max_ns", &Statistics::max_ns),
-    field("q1_ns", &Statistics::q1_ns), field("q3_ns", &Statistics::q3_ns),
-    field("ci_low_ns", &Statistics::ci_low_ns), field("ci_high_ns", &Statistics::ci_high_ns),
-    field("stop_reason", &Statistics::stop_reason), field("msamples_per_s", &Statistics::msamples_per_s),
+    required("n", &Statistics::n), field("flagged", &Statistics::flagged),
+    required("median_ns", &Statistics::median_ns), field("mad_ns", &Statistics::mad_ns),
+    field("mean_ns", &Statistics::mean_ns), field("min_ns", &Statistics::min_ns),
+    field("max_ns", &Statistics::max_ns), field("q1_ns", &Statistics::q1_ns),
+    field("q3_ns", &Statistics::q3_ns), field("ci_low_ns", &Statistics::ci_low_ns),
+    field("ci_high_ns", &Statistics::ci_high_ns), field("stop_reason", &Statistics::stop_reason),
+    field("msamples_per_s", &Statistics::msamples_per_s),
     field("msegments_per_s", &Statistics::msegments_per_s));
 
 template <>
@@ -81,6 +81,14 @@ inline constexpr auto fields<DeviceInfo> = std::make_tuple(
     field("profiling", &DeviceInfo::profiling), field("excluded", &DeviceInfo::excluded));
 
 template <>
+inline constexpr auto fields<SppFit> = std::make_tuple(required("params", &SppFit::params),
+                                                       required("points", &SppFit::points),
+                                                       field("overhead_ms", &SppFit::overhead_ms),
+                                                       field("ms_per_spp", &SppFit::ms_per_spp),
+                                                       field("r2", &SppFit::r2),
+                                                       field("warning", &SppFit::warning));
+
+template <>
 inline constexpr auto fields<BrokenIcd> = std::make_tuple(required("icd", &BrokenIcd::icd),
                                                           required("reason", &BrokenIcd::reason));
 
@@ -98,7 +106,8 @@ inline constexpr auto fields<RunInfo> =
                     field("started_at", &RunInfo::started_at), field("seed", &RunInfo::seed),
                     field("interrupted", &RunInfo::interrupted), field("wall_s", &RunInfo::wall_s),
                     field("settings", &RunInfo::settings), field("resumed_at", &RunInfo::resumed_at),
-                    field("scenes", &RunInfo::scenes));
+                    field("scenes", &RunInfo::scenes),
+                    field("coordinator_cpu_s", &RunInfo::coordinator_cpu_s));
 
 template <>
 inline constexpr auto fields<ResultFile> = std::make_tuple(required("run", &ResultFile::run),
@@ -106,14 +115,15 @@ inline constexpr auto fields<ResultFile> = std::make_tuple(required("run", &Resu
                                                            required("devices", &ResultFile::devices),
                                                            field("broken_icds", &ResultFile::broken_icds),
                                                            field("warnings", &ResultFile::warnings),
-                                                           required("cases", &ResultFile::cases));
+                                                           required("cases", &ResultFile::cases),
+                                                           field("fits", &ResultFile::fits));
 
 template <>
 inline constexpr auto fields<MeasureOptions> = std::make_tuple(
     field("seed", &MeasureOptions::seed), field("warmup", &MeasureOptions::warmup),
-    field("samples", &MeasureOptions::samples), field("max_time", &MeasureOptions::max_time_s),
-    field("timer", &MeasureOptions::timer), field("skip_time", &MeasureOptions::skip_time),
-    field("kernel_dir", &MeasureOptions::kernel_dir));
+    field("min_samples", &MeasureOptions::min_samples), field("max_samples", &MeasureOptions::max_samples),
+    field("max_time", &MeasureOptions::max_time_s), field("timer", &MeasureOptions::timer),
+    field("skip_time", &MeasureOptions::skip_time), field("kernel_dir", &MeasureOptions::kernel_dir));
 
 /// A case is written in the words of the axes: "size": "128x128", "work_group": "implicit", "lanes": "auto".
 Json encode(const Case& c);

@@ -18,8 +18,9 @@ struct Work {
     std::uint64_t samples = 0;   ///< width x height x spp
     std::uint64_t segments = 0;  ///< path segments traced, counted by the kernel
     std::uint64_t full_length_paths = 0;
-    int lanes = 1;   ///< lane width that ran
-    int passes = 0;  ///< launches of the render kernel in one sample of time
+    int lanes = 1;    ///< lane width that ran
+    int renders = 1;  ///< full renders in one sample of time; more than one where the timer is coarse
+    int passes = 0;   ///< launches of the render kernel in one sample of time
     std::int64_t longest_launch_ns = 0;
     std::uint64_t device_bytes = 0;  ///< device memory asked for
     bool operator==(const Work&) const = default;
@@ -41,25 +42,27 @@ struct Build {
     bool operator==(const Build&) const = default;
 };
 
-/// One timed sample: a full render of the case's work. Nanoseconds.
+/// One timed sample: `Work::renders` full renders of the case's work. Nanoseconds.
 struct TimeSample {
     std::int64_t kernel_ns = 0;  ///< length of the union of the launches' [START, END] intervals
     std::int64_t sum_ns = 0;     ///< sum of the launches' END - START
     std::int64_t host_ns = 0;    ///< host clock around the same work
     std::int64_t queued_ns = 0;  ///< sum of SUBMIT - QUEUED
     std::int64_t submit_ns = 0;  ///< sum of START - SUBMIT
-    std::string cause;           ///< empty, or why the sample is flagged: "timer_fault", ...
+    std::int64_t probe_ns = 0;   ///< of the clock's probe right after it; 0 where there was none
+    std::string cause;  ///< empty, or why it is flagged: "first", "clock_low", "steal", "timer_fault"
     bool operator==(const TimeSample&) const = default;
 };
 
-/// Statistics over the samples' headline time, in nanoseconds.
+/// Statistics over the samples' headline time of one render, in nanoseconds.
 struct Statistics {
     std::string timer;         ///< "event" or "host"
     std::string timer_reason;  ///< why not "event"
-    int n = 0;
+    int n = 0;                 ///< samples described
+    int flagged = 0;           ///< samples with a cause; left out while they are under half of all
     double median_ns = 0, mad_ns = 0, mean_ns = 0, min_ns = 0, max_ns = 0, q1_ns = 0, q3_ns = 0;
     std::optional<double> ci_low_ns, ci_high_ns;  ///< exact 95 % interval of the median; absent for small n
-    std::string stop_reason;                      ///< "samples", "max_time", "max_total_time", "low_n"
+    std::string stop_reason;  ///< "precision", "max_time", "max_samples", "max_total_time", "low_n"
     double msamples_per_s = 0, msegments_per_s = 0;
     bool operator==(const Statistics&) const = default;
 };
@@ -89,6 +92,16 @@ struct Record {
     std::optional<Statistics> statistics;
     std::optional<Validation> validation;
     bool operator==(const Record&) const = default;
+};
+
+/// Time over SPP, t = overhead + spp x slope, of cases that differ in SPP alone.
+struct SppFit {
+    Case params;  ///< the case with the most SPP
+    int points = 0;
+    double overhead_ms = 0, ms_per_spp = 0;
+    double r2 = 0;        ///< share of the variance that the line explains, points weighted by 1/t^2
+    std::string warning;  ///< of a bad fit: what was seen and the likely cause; else empty
+    bool operator==(const SppFit&) const = default;
 };
 
 /// One ICD that could not be used.
@@ -123,6 +136,7 @@ struct RunInfo {
     ConfigText settings;                  ///< what flags made of the config
     std::vector<std::string> resumed_at;  ///< ISO 8601, UTC
     std::vector<std::string> scenes;      ///< of the plan: "furnace 9f86d081884c7d65", name and text_hash
+    double coordinator_cpu_s = 0;  ///< of the process that drives the workers: what measuring costs
     bool operator==(const RunInfo&) const = default;
 };
 
@@ -133,6 +147,7 @@ struct ResultFile {
     std::vector<DeviceInfo> devices;
     std::vector<BrokenIcd> broken_icds;
     std::vector<Record> cases;
+    std::vector<SppFit> fits;
     std::vector<std::string> warnings;
     bool operator==(const ResultFile&) const = default;
 };

@@ -104,6 +104,7 @@ const Columns& statistics_columns() {
     using S = const Statistics&;
     static const Columns columns = {
         {"n", of_statistics([](S s) { return std::to_string(s.n); })},
+        {"flagged", of_statistics([](S s) { return std::to_string(s.flagged); })},
         {"median_ms", statistic_ms(&Statistics::median_ns)},
         {"mad_ms", statistic_ms(&Statistics::mad_ns)},
         {"mean_ms", statistic_ms(&Statistics::mean_ns)},
@@ -126,6 +127,7 @@ const Columns& other_columns() {
         {"samples", of_work([](const Work& w) { return std::to_string(w.samples); })},
         {"segments", of_work([](const Work& w) { return std::to_string(w.segments); })},
         {"lanes_run", of_work([](const Work& w) { return std::to_string(w.lanes); })},
+        {"renders", of_work([](const Work& w) { return std::to_string(w.renders); })},
         {"passes", of_work([](const Work& w) { return std::to_string(w.passes); })},
         {"build_ms", of_build([](const Build& b) { return real(b.build_ms, 6); })},
         {"first_launch_ms", of_build([](const Build& b) {
@@ -158,13 +160,10 @@ std::vector<std::string> cells(const Columns& columns, const Row& row) {
 }
 
 std::vector<std::string> sample_cells(std::size_t index, const TimeSample& s) {
-    return {std::to_string(index),
-            std::to_string(s.kernel_ns),
-            std::to_string(s.sum_ns),
-            std::to_string(s.host_ns),
-            std::to_string(s.queued_ns),
-            std::to_string(s.submit_ns),
-            text(s.cause)};
+    return {std::to_string(index),       std::to_string(s.kernel_ns),
+            std::to_string(s.sum_ns),    std::to_string(s.host_ns),
+            std::to_string(s.queued_ns), std::to_string(s.submit_ns),
+            std::to_string(s.probe_ns),  text(s.cause)};
 }
 
 }  // namespace
@@ -183,7 +182,8 @@ std::string csv_samples(const ResultFile& result) {
     static const Columns spp = {{"spp", axis("spp")}};
     const auto columns = joined({device_columns(), spp, case_columns()});
     auto names = header(columns);
-    for (const char* name : {"sample", "kernel_ns", "sum_ns", "host_ns", "queued_ns", "submit_ns", "cause"})
+    for (const char* name :
+         {"sample", "kernel_ns", "sum_ns", "host_ns", "queued_ns", "submit_ns", "probe_ns", "cause"})
         names.emplace_back(name);
     std::string output = line(names);
     for (const Record& record : result.cases) {

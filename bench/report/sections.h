@@ -10,6 +10,8 @@ namespace ptb {
 
 /// Every time, in the order of the thesis' columns.
 Section times_section(const ResultFile& result);
+/// The line that time follows over SPP, and warnings where it does not.
+Section fits_section(const ResultFile& result);
 /// Cases without a time, those of one status and reason together.
 Section problems_section(const ResultFile& result);
 /// The same work on every device, and how many times faster than on the slowest. Empty for a single device.

@@ -23,8 +23,11 @@ std::string note(const Record& record) {
     std::vector<std::string> parts;
     if (record.status != Status::ok) parts.push_back(to_string(record.status) + ": " + record.reason);
     if (!record.statistics) parts.push_back("validated only");
-    if (record.statistics && record.statistics->timer == "host") parts.push_back("timer: host");
+    if (record.statistics && record.statistics->timer == "host")
+        parts.push_back(fmt::format("timer: host ({})", record.statistics->timer_reason));
     if (record.statistics && record.statistics->stop_reason == "low_n") parts.push_back("low n");
+    if (record.statistics && record.status == Status::ok && record.statistics->flagged > 0)
+        parts.push_back(fmt::format("{} flagged", record.statistics->flagged));
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 

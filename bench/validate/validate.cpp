@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <tuple>
 
 #include <boost/math/distributions/normal.hpp>
 #include <fmt/format.h>
 
 #include "bench/validate/blocks.h"
+#include "bench/validate/neighbours.h"
 
 namespace ptb {
 
@@ -146,6 +148,21 @@ void check_blocks(Validation& validation, const Evidence& evidence, const Refere
     validation.checks.push_back("blocks");
 }
 
+/// Pixels that share random numbers: no mean shows it, but an image needs more samples than it says.
+void check_neighbours(Validation& validation, const Evidence& evidence, const Reference& reference,
+                      double limit) {
+    if (evidence.size != reference.size) return;
+    validation.checks.push_back("neighbours");
+    for (const auto& [dx, dy, where] : {std::tuple(1, 0, "beside"), std::tuple(0, 1, "above")}) {
+        const double z = neighbour_z(evidence.film.mean, reference, dx, dy);
+        if (std::abs(z) > limit)
+            fail(validation,
+                 fmt::format("the errors of pixels {} each other go together ({:.1f} standard errors): "
+                             "their random numbers are not independent",
+                             where, z));
+    }
+}
+
 }  // namespace
 
 void fail(Validation& validation, const std::string& reason) {
@@ -187,6 +204,7 @@ void check_against(Validation& validation, const Evidence& evidence, const Refer
     check_full_length(validation, evidence, reference, 4);
     check_blocks(validation, evidence, reference);
     check_mean(validation, evidence, reference, 4);
+    check_neighbours(validation, evidence, reference, 4);
 }
 
 void check_timed(Validation& validation, const Evidence& evidence, const Reference& reference) {

@@ -32,8 +32,8 @@ struct Evidence {
 Validation check_film(const Evidence& evidence);
 
 /// Adds the tests against a reference of the same scene, kernel and path length, same or different size:
-/// pixel blocks (same size only), image mean within 4 combined standard errors, segments per sample and the
-/// share of full-length paths within 4.
+/// pixel blocks and the independence of neighbouring pixels (same size only), image mean within 4 combined
+/// standard errors, segments per sample and the share of full-length paths within 4.
 void check_against(Validation& validation, const Evidence& evidence, const Reference& reference);
 
 /// Adds the tests that any timed render of the work must pass: image mean and segments within 5 standard

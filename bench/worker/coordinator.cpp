@@ -39,6 +39,22 @@ Record record_of(const Case& c, Reply reply) {
     return std::move(*reply.response.record);
 }
 
+/// A quarter of the budget is for repetitions, shared by all cases, whatever samples are still to come.
+double repetitions_s(const RunPlan& plan) {
+    return plan.max_total_time_s / 4 / static_cast<double>(plan.cases.size());
+}
+
+/// Seconds that one sample of each case after the i-th takes: no case's repetitions may use them up. What
+/// does not fit into the budget anyway has no part in it.
+std::vector<double> samples_to_come(const RunPlan& plan, const Forecast& forecast) {
+    std::vector<double> reserved(plan.cases.size(), 0.0);
+    for (std::size_t i = plan.cases.size(); i-- > 1;) {
+        const double sum_s = reserved[i] + forecast.sample_s(plan.cases[i]).value_or(0);
+        reserved[i - 1] = sum_s <= plan.max_total_time_s ? sum_s : reserved[i];
+    }
+    return reserved;
+}
+
 }  // namespace
 
 double steady_seconds() {
@@ -72,10 +88,11 @@ Forecast Coordinator::estimate() {
 
 std::vector<Record> Coordinator::run(const Forecast& forecast, const std::vector<RunObserver*>& observers) {
     std::vector<Record> records;
+    reserved_s_ = samples_to_come(plan_, forecast);
     for (std::size_t i = 0; i < plan_.cases.size(); ++i) {
         const Case& c = plan_.cases[i];
         for (RunObserver* observer : observers) observer->started(i, c);
-        records.push_back(run_case(c, forecast, [&](const Response& progress) {
+        records.push_back(run_case(i, forecast, [&](const Response& progress) {
             for (RunObserver* observer : observers) observer->progressed(i, c, progress);
         }));
         for (RunObserver* observer : observers) observer->finished(i, records.back());
@@ -85,7 +102,8 @@ std::vector<Record> Coordinator::run(const Forecast& forecast, const std::vector
     return records;
 }
 
-Record Coordinator::run_case(const Case& c, const Forecast& forecast, const Channel::Progress& progress) {
+Record Coordinator::run_case(std::size_t index, const Forecast& forecast, const Channel::Progress& progress) {
+    const Case& c = plan_.cases[index];
     const std::string reason = not_to_try(c, forecast);
     if (!reason.empty()) return record(c, Status::skipped, reason);
     DeviceWorker& worker = worker_of(c.device);
@@ -93,7 +111,7 @@ Record Coordinator::run_case(const Case& c, const Forecast& forecast, const Chan
         const std::string& why = worker.given_up();
         return record(c, Status::skipped, why.empty() ? interrupted_reason : why);
     }
-    return record_of(c, worker.request(run_request(c), progress));
+    return record_of(c, worker.request(run_request(index), progress));
 }
 
 /// Only one device's worker lives at a time: an idle one still holds memory, threads and clocks.
@@ -122,11 +140,13 @@ std::string Coordinator::not_to_try(const Case& c, const Forecast& forecast) con
                        duration_text(sample_s), duration_text(*left_s), budget);
 }
 
-Request Coordinator::run_request(const Case& c) const {
+Request Coordinator::run_request(std::size_t index) const {
+    const Case& c = plan_.cases[index];
     Request request;
     request.kind = Request::Kind::run;
     request.params = c;
-    request.time_left_s = budget_left_s();
+    if (const auto left_s = budget_left_s())
+        request.time_left_s = std::min(*left_s, std::max(repetitions_s(plan_), *left_s - reserved_s_[index]));
     const auto image = plan_.image_files.find(c);
     if (image != plan_.image_files.end()) request.image_file = image->second;
     return request;

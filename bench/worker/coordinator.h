@@ -47,13 +47,14 @@ class Coordinator {
     DeviceWorker& worker_of(const std::string& device);
     std::optional<double> budget_left_s() const;
     std::string not_to_try(const Case& c, const Forecast& forecast) const;
-    Request run_request(const Case& c) const;
-    Record run_case(const Case& c, const Forecast& forecast, const Channel::Progress& progress);
+    Request run_request(std::size_t index) const;
+    Record run_case(std::size_t index, const Forecast& forecast, const Channel::Progress& progress);
 
     RunPlan plan_;
     Stopped stopped_;
     SecondsNow now_s_;
     double start_s_;
+    std::vector<double> reserved_s_;  ///< for each case, what one sample of each later one takes
     std::map<std::string, DeviceWorker> workers_;
     DeviceWorker* live_ = nullptr;
 };

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "bench/measure/stop_rule.h"
+
 namespace ptb {
 
 CostKey cost_key(const Case& c) { return {c.device, c.kernel, c.scene, c.path_length, c.lanes}; }
@@ -18,9 +20,12 @@ std::optional<double> Forecast::sample_s(const Case& c) const {
 std::optional<double> Forecast::case_s(const Case& c) const {
     const auto sample = sample_s(c);
     if (!sample || measure_.skip_time) return sample ? std::optional(0.0) : std::nullopt;
-    const double started = *sample > 0 ? std::ceil(measure_.max_time_s / *sample) : measure_.samples;
-    const double timed = std::clamp(started, 1.0, std::max(1.0, double(measure_.samples)));
-    return (measure_.warmup + timed) * *sample;
+    const int wanted = std::min(enough_samples(*sample, measure_.min_samples), measure_.max_samples);
+    const double fit = *sample > 0 ? std::floor(measure_.max_time_s / *sample) : wanted;
+    const double timed = std::clamp(fit, 1.0, double(wanted));
+    const double warmup =
+        *sample > long_sample_s ? 0 : measure_.warmup.value_or(usual_warmup(*sample, measure_.max_time_s));
+    return (warmup + timed) * *sample;
 }
 
 std::string duration_text(double seconds) {

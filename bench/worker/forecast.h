@@ -24,7 +24,7 @@ class Forecast {
     /// One timed sample: one render of the case's work.
     std::optional<double> sample_s(const Case& c) const;
 
-    /// Warm-up and timed samples; after `max_time_s` no further timed sample starts.
+    /// Warm-up and the fewest timed samples that may be enough, `max_time_s` allowing.
     std::optional<double> case_s(const Case& c) const;
 
   private:

@@ -18,7 +18,7 @@ struct Request {
     int protocol = protocol_version;
     MeasureOptions measure;             ///< open
     Case params;                        ///< estimate, run
-    std::optional<double> time_left_s;  ///< run: what is left of the budget
+    std::optional<double> time_left_s;  ///< run: what is left of the budget for this case
     std::string image_file;             ///< run: write the case's picture here, or empty
     bool operator==(const Request&) const = default;
 };

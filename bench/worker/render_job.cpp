@@ -28,10 +28,11 @@ bool render_to_file(const RenderRequest& request, std::function<void(double done
                                             kernel.options(device, scene, job.lanes));
     const auto render = kernel.make(device, program, scene, job);
     PassCutter cutter;
-    timed_render(*render, cutter, device.info.timer_resolution_ns, [&](double done) {
+    const Progress watched = [&](double done) {
         progress(done);
         return !stop.load();
-    });
+    };
+    timed_render(*render, {cutter, device.info.timer_resolution_ns, watched});
     write_image(request.output, render->read_film().mean);
     return render->samples_left() == 0;
 }

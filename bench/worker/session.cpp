@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "bench/measure/clock.h"
 #include "bench/plan/data_dir.h"
 #include "bench/version.h"
 #include "bench/worker/workbench.h"
@@ -11,6 +12,8 @@
 namespace ptb {
 
 namespace {
+
+constexpr double quiet_s = 0.1;  ///< between two signs of life
 
 Response failed(const std::string& reason) {
     Response response;
@@ -61,7 +64,12 @@ class DeviceSession : public Session {
     }
 
     Response run(const Request& request, const Send& send) {
+        std::string last_stage;
+        std::int64_t last_ns = 0;
         const auto progress = [&](const std::string& stage, double done) {
+            if (stage == last_stage && seconds_since(last_ns) < quiet_s) return;
+            last_stage = stage;
+            last_ns = now_ns();
             Response response;
             response.kind = Response::Kind::progress;
             response.stage = stage;

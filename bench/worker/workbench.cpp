@@ -7,9 +7,6 @@
 #include <fmt/format.h>
 
 #include "bench/measure/clock.h"
-#include "bench/measure/statistics.h"
-#include "bench/measure/stop_rule.h"
-#include "bench/measure/timer.h"
 #include "bench/plan/scene_file.h"
 #include "bench/validate/validate.h"
 #include "core/image/image_io.h"
@@ -20,7 +17,6 @@ namespace ptb {
 namespace {
 
 constexpr double validation_s = 15;  ///< a slow device validates on the samples that this time gives
-constexpr double long_sample_s = 3;  ///< a longer sample had its warm-up in the validation
 constexpr Size probe_size{128, 128};
 constexpr int probe_spp = 2;  ///< of the small renders that are compared by their bits
 
@@ -67,7 +63,7 @@ Build describe_build(const BuiltKernel& kernel, const ocl::KernelFacts& facts) {
 void conclude(Record& record, Status status, const std::string& reason) {
     record.status = status;
     record.reason = reason;
-    if (status == Status::ok) return;
+    if (status == Status::ok || status == Status::unstable) return;
     record.samples.clear();
     record.statistics.reset();
     if (record.work) record.work->longest_launch_ns = 0;
@@ -87,7 +83,11 @@ struct Workbench::Job {
 
 Workbench::Workbench(const std::string& device_key, const MeasureOptions& options,
                      std::filesystem::path data_folder)
-    : device_(ocl::open_device(device_key)), options_(options), data_folder_(std::move(data_folder)) {}
+    : device_(ocl::open_device(device_key)),
+      options_(options),
+      data_folder_(std::move(data_folder)),
+      timer_(options.timer),
+      disturbances_(device_) {}
 
 const Scene& Workbench::scene(const std::string& name) {
     const auto found = scenes_.find(name);
@@ -145,8 +145,8 @@ double Workbench::estimate(const Case& params) {
     std::int64_t ns = 0;
     for (int i = 0; i < 2; ++i) {  // the first render may compile
         const TimedRender timed =
-            timed_render(*render, cutter, device_.info.timer_resolution_ns, [](double) { return true; });
-        ns = timed.timer_fault.empty() ? timed.time.kernel_ns : timed.time.host_ns;
+            timed_render(*render, {cutter, device_.info.timer_resolution_ns, [](double) { return true; }});
+        ns = timed.timer.fault.empty() ? timed.time.kernel_ns : timed.time.host_ns;
     }
     return kernel.ns_per_sample =
                static_cast<double>(ns) / static_cast<double>(work.size.pixels() * probe_spp);
@@ -194,7 +194,8 @@ const Validation& Workbench::validated(const Job& job, const Stage& progress) {
     work.spp = validation_spp(estimate(job.params));
     if (!reference) work.spp = std::min(work.spp, 64);
     const auto render = make(job, work);
-    timed_render(*render, cutters_[job.key()], device_.info.timer_resolution_ns, stage(progress, "validate"));
+    timed_render(*render,
+                 {cutters_[job.key()], device_.info.timer_resolution_ns, stage(progress, "validate")});
     const Film film = render->read_film();
     const Evidence evidence{film, work.size, work.spp, work.path_length};
     Validation validation = check_film(evidence);
@@ -236,52 +237,39 @@ void Workbench::check_work_group(const Job& job, Record& record) {
                     "work-group " + to_string(job.params.work_group));
 }
 
-/// Times the case's own work: warm-up, then samples until the rule says stop. Leaves the last sample's film
-/// in `render`.
-Workbench::Measurement Workbench::take_samples(const Job& job, Render& render, double time_left_s,
-                                               const Stage& progress, Record& record) {
-    PassCutter& cutter = cutters_[job.key()];
-    const auto sample = [&](const char* name) {
-        return timed_render(render, cutter, device_.info.timer_resolution_ns, stage(progress, name));
-    };
-    const double predicted_s = estimate(job.params) * static_cast<double>(record.work->samples) * 1e-9;
-    const bool warm = predicted_s > long_sample_s;
-    for (int i = 0; i < options_.warmup && !warm; ++i) sample("warmup");
-
-    const FixedSamples rule{options_.samples, options_.max_time_s, time_left_s};
-    Measurement result;
-    Measured measured;
-    const std::int64_t begin = now_ns();
-    while ((result.stop_reason = rule.stop(measured)).empty()) {
-        const TimedRender timed = sample("sample");
-        if (timer_fault_.empty()) timer_fault_ = timed.timer_fault;
-        result.disagreeing += clocks_disagree(timed.covered_ns, timed.time.host_ns) ? 1 : 0;
-        record.samples.push_back(timed.time);
+/// Times the case's own work by the method of bench/measure. Leaves the last sample's film in `render`.
+Measurement Workbench::take_samples(const Job& job, Render& render, double time_left_s, const Stage& progress,
+                                    Record& record) {
+    const double render_s = estimate(job.params) * static_cast<double>(record.work->samples) * 1e-9;
+    const auto take = [&](const std::string& name, int renders) {
+        disturbances_.begin(render_s * renders);
+        TimedRender timed = timed_render(
+            render, {cutters_[job.key()], device_.info.timer_resolution_ns, stage(progress, name), renders});
+        disturbances_.end(timed.time);
         record.work->passes = timed.passes;
         record.work->longest_launch_ns = std::max(record.work->longest_launch_ns, timed.longest_launch_ns);
-        measured = {measured.samples + 1, seconds_since(begin),
-                    static_cast<double>(timed.time.host_ns) * 1e-9};
-    }
-    if (timer_fault_.empty() && 2 * result.disagreeing > measured.samples)
-        timer_fault_ = fmt::format("the events miss over a sixth of the host's time in {} of {} samples",
-                                   result.disagreeing, measured.samples);
-    return result;
+        return timed;
+    };
+    timer_.restart();
+    const Method method{{options_.min_samples, options_.max_samples, options_.max_time_s, time_left_s},
+                        options_.warmup,
+                        render_s,
+                        device_.info.timer_resolution_ns};
+    const std::int64_t begin = now_ns();
+    return ptb::measure(method, timer_, take, [begin] { return seconds_since(begin); });
 }
 
-/// Describes the samples by the clock that can be believed.
-Statistics Workbench::summarize(const Record& record, const std::string& stop_reason) const {
-    const bool host = options_.timer == "host" || (options_.timer == "auto" && !timer_fault_.empty());
-    std::vector<double> times;
-    for (const TimeSample& sample : record.samples)
-        times.push_back(static_cast<double>(host ? sample.host_ns : sample.kernel_ns));
-    Statistics statistics = describe_times(times);
-    statistics.timer = host ? "host" : "event";
-    statistics.timer_reason = !host ? "" : options_.timer == "host" ? "asked for" : timer_fault_;
-    const bool low_n = statistics.n < enough_samples && stop_reason != "samples";
-    statistics.stop_reason = low_n ? "low_n" : stop_reason;
+/// Notes what was measured; an unstable case keeps its numbers, and says so.
+void Workbench::summarize(const Measurement& measurement, Record& record) const {
+    record.samples = measurement.samples;
+    record.work->renders = measurement.renders;
+    Statistics statistics = describe(measurement, timer_);
+    const std::string unstable = unstable_reason(measurement, timer_);
+    if (!unstable.empty()) conclude(record, Status::unstable, unstable);
+    if (statistics.median_ns <= 0) return;
     statistics.msamples_per_s = static_cast<double>(record.work->samples) / statistics.median_ns * 1e3;
     statistics.msegments_per_s = static_cast<double>(record.work->segments) / statistics.median_ns * 1e3;
-    return statistics;
+    record.statistics = statistics;
 }
 
 /// The timed render's own picture must pass what any picture of this work must.
@@ -303,8 +291,8 @@ void Workbench::measure(const Job& job, double time_left_s, const std::string& i
     record.work->lanes = job.work.lanes;
     record.work->device_bytes = render->device_bytes();
     const Measurement measurement = take_samples(job, *render, time_left_s, progress, record);
-    if (options_.timer == "event" && !timer_fault_.empty())
-        throw Unsupported(fmt::format("--timer event: {}; auto takes the host's clock then", timer_fault_));
+    if (options_.timer == "event" && !timer_.fault().empty())
+        throw Unsupported(fmt::format("--timer event: {}; auto takes the host's clock then", timer_.fault()));
 
     const std::int64_t reading = now_ns();
     const Film film = render->read_film();
@@ -312,7 +300,7 @@ void Workbench::measure(const Job& job, double time_left_s, const std::string& i
     record.work->segments = film.segments;
     record.work->full_length_paths = film.full_length_paths.value_or(0);
     check_film_of(job, film, *record.validation);
-    record.statistics = summarize(record, measurement.stop_reason);
+    summarize(measurement, record);
     if (!image_file.empty()) write_image(image_file, film.mean);
 }
 
@@ -331,10 +319,10 @@ void Workbench::attempt(const Job& job, double time_left_s, const std::string& i
     if (record.validation->valid) check_work_group(job, record);
     if (record.validation->valid && !options_.skip_time)
         measure(job, time_left_s, image_file, progress, record);
-    if (record.validation->valid)
-        conclude(record, Status::ok, "");
-    else
+    if (!record.validation->valid)
         conclude(record, Status::invalid, record.validation->reason);
+    else if (record.status != Status::unstable)
+        conclude(record, Status::ok, "");
 }
 
 Record Workbench::run(const Case& params, double time_left_s, const std::string& image_file,

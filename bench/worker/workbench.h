@@ -6,7 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "bench/measure/sampler.h"
+#include "bench/measure/disturbance.h"
+#include "bench/measure/method.h"
 #include "bench/plan/config.h"
 #include "bench/record/record.h"
 #include "core/integrator/registry.h"
@@ -42,10 +43,6 @@ class Workbench {
 
   private:
     struct Job;  ///< a case resolved: scene, integrator, RenderJob
-    struct Measurement {
-        std::string stop_reason;
-        int disagreeing = 0;  ///< samples in which the two clocks disagree
-    };
 
     Job resolve(const Case& params);
     const Scene& scene(const std::string& name);
@@ -60,7 +57,7 @@ class Workbench {
                  Record& record);
     Measurement take_samples(const Job& job, Render& render, double time_left_s, const Stage& progress,
                              Record& record);
-    Statistics summarize(const Record& record, const std::string& stop_reason) const;
+    void summarize(const Measurement& measurement, Record& record) const;
     void check_film_of(const Job& job, const Film& film, Validation& validation) const;
     std::optional<Reference> stored_reference(const Job& job) const;
     Reference host_reference(const Job& job) const;
@@ -68,7 +65,8 @@ class Workbench {
     ocl::Device device_;
     MeasureOptions options_;
     std::filesystem::path data_folder_;
-    std::string timer_fault_;  ///< once the events were wrong, the host's clock is used
+    TimerWatch timer_;
+    Disturbances disturbances_;
     std::map<std::string, Scene> scenes_;
     std::map<std::string, BuiltKernel> built_;       ///< by kernel, scene, lanes
     std::map<std::string, Validation> validations_;  ///< by kernel, scene, path length, lanes

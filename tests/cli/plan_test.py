@@ -81,7 +81,7 @@ class DumpConfig(CliTest):
                 self.scratch.write("dumped.json", dumped)
                 self.assertEqual(self.dump("--config", "dumped.json"), dumped)
         config = json.loads(dumped)
-        self.assertEqual((config["samples"], config["warmup"], config["max_time"], config["timeout"]),
+        self.assertEqual((config["max_samples"], config["warmup"], config["max_time"], config["timeout"]),
                          (1000000, 3, 1.5, 7))
         self.assertEqual((config["max_total_time"], config["seed"], config["timer"]), (1e9, 4294967295, "host"))
         self.assertEqual((config["device"], config["skip_time"]), (["pocl:1"], True))

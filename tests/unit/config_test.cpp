@@ -25,7 +25,7 @@ std::string complaint(const std::string& json) {
 
 TEST(Config, every_key_is_read) {
     const Config config = parse_config(R"j({
-        "name": "n", "description": "d", "device": ["cpu", 1], "warmup": 0, "samples": 7, "max_time": 2.5,
+        "name": "n", "description": "d", "device": ["cpu", 1], "warmup": 0, "min_samples": 6, "max_samples": 7, "max_time": 2.5,
         "max_total_time": 90, "timeout": 60, "seed": 4294967295, "timer": "host", "skip_time": true,
         "kernel_dir": "k",
         "series": [{"name": "s", "kernel": "pt", "spp": [1, "2"], "size": "[1:4:x2]",
@@ -36,7 +36,7 @@ TEST(Config, every_key_is_read) {
     expected.name = "n";
     expected.description = "d";
     expected.devices = {"cpu", "1"};
-    expected.measure = {4294967295u, 0, 7, 2.5, "host", true, "k"};
+    expected.measure = {4294967295u, 0, 6, 7, 2.5, "host", true, "k"};
     expected.max_total_time_s = 90;
     expected.timeout_s = 60;
     expected.series = {{"s",
@@ -54,6 +54,12 @@ TEST(Config, dumped_config_reads_back_to_the_same_value) {
         EXPECT_EQ(parse_config(dump_config(config), "dump"), config);
     }
     EXPECT_EQ(parse_config(dump_config(Config{}), "dump"), Config{});
+}
+
+TEST(Config, samples_fixes_their_number) {
+    const Config config = parse_config(R"j({"samples": 7})j", "c.json");
+    EXPECT_EQ(config.measure.min_samples, 7);
+    EXPECT_EQ(config.measure.max_samples, 7);
 }
 
 TEST(Config, linked_axes_may_be_text) {
@@ -99,10 +105,11 @@ TEST(Config, wrong_types_and_values_are_refused) {
                                R"j("device": [[]])j",
                                R"j("device": -1)j",
                                R"j("warmup": -1)j",
-                               R"j("samples": 0)j",
-                               R"j("samples": 1.5)j",
-                               R"j("samples": "5")j",
-                               R"j("samples": 99999999999)j",
+                               R"j("min_samples": 0)j",
+                               R"j("max_samples": 0)j",
+                               R"j("max_samples": 1.5)j",
+                               R"j("max_samples": "5")j",
+                               R"j("max_samples": 99999999999)j",
                                R"j("max_time": 0)j",
                                R"j("max_time": -1)j",
                                R"j("max_time": "30")j",

@@ -195,7 +195,8 @@ TEST(coordinator, a_case_that_does_not_fit_into_the_budget_is_skipped_with_its_p
     EXPECT_EQ(statuses(records), (std::vector{Status::ok, Status::skipped, Status::ok}));
     EXPECT_EQ(records[1].reason,
               "predicted 1 min 40 s a sample, 10 s are left of the budget of 10 s (--max-total-time)");
-    EXPECT_DOUBLE_EQ(records[0].statistics->max_ns, 10) << "the worker was not told what is left";
+    EXPECT_NEAR(records[0].statistics->max_ns, 10 - 0.2, 1e-9)
+        << "the worker was not told what is left for it: a sample of the last case must still fit";
 }
 
 TEST(coordinator, a_used_up_budget_skips_what_has_no_forecast_too) {

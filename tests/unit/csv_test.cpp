@@ -28,7 +28,7 @@ ResultFile one_case() {
     r.statistics = Statistics{};
     r.statistics->n = 3;
     r.statistics->median_ns = 1'234'567.5;
-    r.samples = {{1'234'567, 1'234'567, 1'300'000, 5, 6, ""}};
+    r.samples = {{1'234'567, 1'234'567, 1'300'000, 5, 6, 7, ""}};
     f.cases = {r};
     return f;
 }
@@ -41,10 +41,10 @@ std::string second_line(const std::string& text) {
 TEST(Csv, the_thesis_columns_come_first) {
     EXPECT_THAT(csv(one_case()),
                 StartsWith("vendor,type,device,spp,time_ms,kernel,scene,width,height,path_length,"
-                           "work_group,lanes,status,reason,n,median_ms,"));
+                           "work_group,lanes,status,reason,n,flagged,median_ms,"));
     EXPECT_THAT(
         second_line(csv(one_case())),
-        StartsWith("GenuineIntel,CPU,pthread,10,1.234568,pt,thesis,640,480,128,16x16,8,ok,,3,1.234568,"));
+        StartsWith("GenuineIntel,CPU,pthread,10,1.234568,pt,thesis,640,480,128,16x16,8,ok,,3,0,1.234568,"));
 }
 
 TEST(Csv, commas_and_quotes_are_quoted) {

@@ -79,12 +79,11 @@ TEST(progress, remaining_time_reads_like_a_clock) {
 
 TEST(progress, the_rest_takes_its_forecast_plus_the_overhead_seen) {
     Forecast forecast(MeasureOptions{});
-    forecast.learn(make_case(),
-                   1000);  // 10 us a sample per pixel of the whole image: 6 s for 1 + 5 of 100 spp
+    forecast.learn(make_case(), 1000);  // 10 us a sample per pixel of the whole image: 1 s for 100 spp
     Eta eta({make_case(), make_case(), make_case()}, forecast);
-    EXPECT_NEAR(eta.left_s(0), 18, 1e-9);
-    eta.finished(0, 8);
-    EXPECT_NEAR(eta.left_s(1), 16, 1e-9);
+    EXPECT_NEAR(eta.left_s(0), 3 * (5 + 10), 1e-9) << "warm-up and samples";
+    eta.finished(0, 17);
+    EXPECT_NEAR(eta.left_s(1), 2 * 17, 1e-9);
 }
 
 TEST(progress, only_a_terminal_gets_control_characters) {
@@ -100,17 +99,22 @@ TEST(progress, only_what_failed_is_coloured) {
 }
 
 TEST(forecast, a_case_takes_warmup_and_samples) {
-    Forecast forecast(MeasureOptions{});
+    MeasureOptions options;
+    options.warmup = 1;
+    Forecast forecast(options), steady(MeasureOptions{});
     forecast.learn(make_case(), 1000);
+    steady.learn(make_case(), 100);
     EXPECT_NEAR(forecast.sample_s(make_case()).value(), 1, 1e-9);
-    EXPECT_NEAR(forecast.case_s(make_case()).value(), 6, 1e-9);
+    EXPECT_NEAR(forecast.case_s(make_case()).value(), 1 + 10, 1e-9);
+    EXPECT_NEAR(steady.case_s(make_case()).value(), 0.1 * (6 + 10), 1e-9) << "two windows of three warm up";
 }
 
 TEST(forecast, max_time_stops_further_samples_but_one_is_taken) {
     Forecast forecast(MeasureOptions{});
     forecast.learn(make_case(), 1000);
-    EXPECT_NEAR(forecast.case_s(make_case(1500)).value(), 15 * (1 + 2), 1e-9);
-    EXPECT_NEAR(forecast.case_s(make_case(10000)).value(), 100 * (1 + 1), 1e-9);
+    EXPECT_NEAR(forecast.case_s(make_case(250)).value(), 2.5 * (2 + 10), 1e-9);
+    EXPECT_NEAR(forecast.case_s(make_case(1400)).value(), 14 * 2, 1e-9) << "long samples have no warm-up";
+    EXPECT_NEAR(forecast.case_s(make_case(10000)).value(), 100 * 1, 1e-9);
 }
 
 TEST(forecast, nothing_is_predicted_for_what_was_not_measured) {
@@ -122,9 +126,9 @@ TEST(forecast, the_prediction_names_the_longest_sample_and_the_budget) {
     Forecast forecast(MeasureOptions{});
     forecast.learn(make_case(), 1000);
     EXPECT_EQ(prediction_text(forecast, {make_case(100), make_case(200)}, 0),
-              "predicted: 18 s (longest sample: pt on pocl:0, spp 200: 2.0 s)");
+              "predicted: 41 s (longest sample: pt on pocl:0, spp 200: 2.0 s)");
     EXPECT_EQ(prediction_text(forecast, {make_case(100), make_case(200)}, 10),
-              "predicted: 18 s, cut to the budget of 10 s (longest sample: pt on pocl:0, spp 200: 2.0 s)");
+              "predicted: 41 s, cut to the budget of 10 s (longest sample: pt on pocl:0, spp 200: 2.0 s)");
 }
 
 TEST(forecast, durations_read_aloud) {

@@ -21,7 +21,7 @@ Request run_request() {
 
 TEST(Protocol, requests_survive_the_line) {
     Request open;
-    open.measure = {7, 0, 3, 2.5, "host", true, "kernels"};
+    open.measure = {7, 0, 3, 30, 2.5, "host", true, "kernels"};
     Request estimate = run_request();
     estimate.kind = Request::Kind::estimate;
     estimate.time_left_s.reset();

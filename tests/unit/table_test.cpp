@@ -121,8 +121,9 @@ TEST(Table, axes_that_differ_get_a_column_and_others_stand_in_the_title) {
 TEST(Table, a_time_by_the_host_clock_says_so) {
     ResultFile f = two_devices();
     f.cases[0].statistics->timer = "host";
+    f.cases[0].statistics->timer_reason = "asked for";
     f.cases[1].statistics->stop_reason = "low_n";
-    EXPECT_THAT(column(times_section(f), "note"), ElementsAre("timer: host", "low n", "", ""));
+    EXPECT_THAT(column(times_section(f), "note"), ElementsAre("timer: host (asked for)", "low n", "", ""));
 }
 
 TEST(Table, an_image_that_is_wrong_never_has_a_time) {
