@@ -35,7 +35,8 @@ Evidence evidence_of(std::span<const double> d) {
 /// Everything but the state.
 Finding described(const GateCase& c) {
     Finding finding;
-    finding.confirmed = !c.confirm.empty();
+    finding.confirmed =
+        static_cast<int>(c.confirm.size()) == confirm_blocks;  // all, or what is left is a choice
     const auto& blocks = finding.confirmed ? c.confirm : c.screen;
     finding.blocks = static_cast<int>(blocks.size());
     finding.evidence = evidence_of(differences(blocks, c.timer));
@@ -60,6 +61,7 @@ void correct(std::vector<Finding>& findings) {
 
 State state_of(const GateCase& c, const Finding& finding) {
     if (c.screen.empty()) return c.without_times;
+    if (static_cast<int>(c.screen.size()) < screen_blocks) return State::inconclusive;
     const State state = judge(finding.evidence, c.tolerance);
     const bool changed = state == State::regressed || state == State::improved;
     return changed && !finding.confirmed ? State::inconclusive : state;

@@ -41,6 +41,12 @@ Record record_of(const Case& c, Reply reply) {
 
 }  // namespace
 
+Record ask(DeviceWorker& worker, const Request& request, const Channel::Progress& progress) {
+    if (worker.ready()) return record_of(request.params, worker.request(request, progress));
+    const std::string& why = worker.given_up();
+    return record(request.params, Status::skipped, why.empty() ? interrupted_reason : why);
+}
+
 double steady_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -88,12 +94,7 @@ std::vector<Record> Coordinator::run(const Forecast& forecast, const std::vector
 Record Coordinator::run_case(const Case& c, const Forecast& forecast, const Channel::Progress& progress) {
     const std::string reason = not_to_try(c, forecast);
     if (!reason.empty()) return record(c, Status::skipped, reason);
-    DeviceWorker& worker = worker_of(c.device);
-    if (!worker.ready()) {
-        const std::string& why = worker.given_up();
-        return record(c, Status::skipped, why.empty() ? interrupted_reason : why);
-    }
-    return record_of(c, worker.request(run_request(c), progress));
+    return ask(worker_of(c.device), run_request(c), progress);
 }
 
 /// Only one device's worker lives at a time: an idle one still holds memory, threads and clocks.
