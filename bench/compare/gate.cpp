@@ -32,13 +32,14 @@ Evidence evidence_of(std::span<const double> d) {
     return evidence;
 }
 
+/// With fewer than all fresh blocks, when to stop would have been somebody's choice.
+bool confirmed(const GateCase& c) { return static_cast<int>(c.confirm.size()) >= confirm_blocks; }
+
 /// Everything but the state.
 Finding described(const GateCase& c) {
     Finding finding;
-    finding.confirmed =
-        static_cast<int>(c.confirm.size()) == confirm_blocks;  // all, or what is left is a choice
-    const auto& blocks = finding.confirmed ? c.confirm : c.screen;
-    finding.blocks = static_cast<int>(blocks.size());
+    const auto& blocks = confirmed(c) ? c.confirm : c.screen;
+    finding.n = static_cast<int>(blocks.size());
     finding.evidence = evidence_of(differences(blocks, c.timer));
     finding.base_ns = median_round(blocks, c.timer, 0, 3);
     finding.now_ns = median_round(blocks, c.timer, 1, 2);
@@ -47,16 +48,14 @@ Finding described(const GateCase& c) {
 }
 
 /// Holm over the cases that fresh blocks were taken of: only they can be called changed.
-void correct(std::vector<Finding>& findings) {
+void correct(std::span<const GateCase> cases, std::vector<Finding>& findings) {
     std::vector<double> p;
-    for (const Finding& finding : findings)
-        if (finding.confirmed) p.push_back(finding.evidence.p);
-    auto corrected = holm(p);
-    for (auto finding = findings.rbegin(); finding != findings.rend(); ++finding) {
-        if (!finding->confirmed) continue;
-        finding->evidence.holm_p = corrected.back();
-        corrected.pop_back();
-    }
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        if (confirmed(cases[i])) p.push_back(findings[i].evidence.p);
+    const auto corrected = holm(p);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        if (confirmed(cases[i])) findings[i].evidence.holm_p = corrected[next++];
 }
 
 State state_of(const GateCase& c, const Finding& finding) {
@@ -64,7 +63,7 @@ State state_of(const GateCase& c, const Finding& finding) {
     if (static_cast<int>(c.screen.size()) < screen_blocks) return State::inconclusive;
     const State state = judge(finding.evidence, c.tolerance);
     const bool changed = state == State::regressed || state == State::improved;
-    return changed && !finding.confirmed ? State::inconclusive : state;
+    return changed && !confirmed(c) ? State::inconclusive : state;
 }
 
 }  // namespace
@@ -88,7 +87,7 @@ bool suspect(const GateCase& c) {
 std::vector<Finding> decide(std::span<const GateCase> cases) {
     std::vector<Finding> findings;
     for (const GateCase& c : cases) findings.push_back(c.screen.empty() ? Finding() : described(c));
-    correct(findings);
+    correct(cases, findings);
     for (std::size_t i = 0; i < cases.size(); ++i) findings[i].state = state_of(cases[i], findings[i]);
     return findings;
 }

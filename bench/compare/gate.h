@@ -47,17 +47,6 @@ std::vector<double> differences(std::span<const Block> blocks, const std::string
 /// tolerance.
 bool suspect(const GateCase& c);
 
-/// What was found of one case, and from which blocks.
-struct Finding {
-    State state = State::inconclusive;
-    Evidence evidence;
-    double base_ns = 0, now_ns = 0;  ///< medians of the rounds
-    double smallest_effect = 0;      ///< a ratio less 1
-    int blocks = 0;
-    bool confirmed = false;  ///< judged by the fresh blocks
-    bool operator==(const Finding&) const = default;
-};
-
 /// Judges all cases of a gate: suspects by their fresh blocks alone, corrected by Holm among themselves; the
 /// others by the screen, where nothing can be called changed.
 std::vector<Finding> decide(std::span<const GateCase> cases);

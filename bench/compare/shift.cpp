@@ -23,7 +23,7 @@ Shift narrowed(std::vector<double> values, double confidence, const std::functio
     }
     if (low < 0 || 2 * low >= count) return shift;
     const auto cut = static_cast<std::size_t>(low);
-    shift.interval = std::pair(values[cut], values[values.size() - 1 - cut]);
+    shift.interval = Interval{values[cut], values[values.size() - 1 - cut]};
     return shift;
 }
 

@@ -2,15 +2,19 @@
 
 #include <optional>
 #include <span>
-#include <utility>
 
 namespace ptb {
+
+struct Interval {
+    double low = 0, high = 0;
+    bool operator==(const Interval&) const = default;
+};
 
 /// How far values lie from 0, or from others, and between which bounds at the asked confidence; no bounds
 /// where there are too few values for it.
 struct Shift {
     double value = 0;
-    std::optional<std::pair<double, double>> interval;
+    std::optional<Interval> interval;
     bool operator==(const Shift&) const = default;
 };
 

@@ -32,7 +32,7 @@ State judge(const Evidence& evidence, double tolerance) {
     if (significant && evidence.shift.value >= allowed) return State::regressed;
     if (significant && evidence.shift.value <= -allowed) return State::improved;
     const auto& interval = evidence.shift.interval;
-    const bool inside = interval && interval->first >= -allowed && interval->second <= allowed;
+    const bool inside = interval && interval->low >= -allowed && interval->high <= allowed;
     return inside ? State::same : State::inconclusive;
 }
 

@@ -34,6 +34,16 @@ struct Evidence {
     bool operator==(const Evidence&) const = default;
 };
 
+/// What was found of one case.
+struct Finding {
+    State state = State::inconclusive;
+    Evidence evidence;
+    double base_ns = 0, now_ns = 0;  ///< medians
+    double smallest_effect = 0;      ///< a ratio less 1
+    int n = 0;                       ///< blocks, or values of the side that has fewer
+    bool operator==(const Finding&) const = default;
+};
+
 /// regressed iff significant and the ratio is at least 1 + tolerance; improved by the mirror rule; same iff
 /// the ratio's whole interval lies in [1/(1 + tolerance), 1 + tolerance]; else inconclusive.
 State judge(const Evidence& evidence, double tolerance);

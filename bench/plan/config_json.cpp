@@ -8,6 +8,7 @@
 
 #include "bench/plan/limits.h"
 #include "bench/plan/nearest.h"
+#include "bench/plan/tolerance.h"
 
 namespace ptb {
 namespace {
@@ -71,6 +72,7 @@ const std::vector<std::pair<std::string, Reader>>& readers() {
         {"max_total_time", [](J j, W w, Config& c) { read_seconds(j, w, true, c.max_total_time_s); }},
         {"timeout", [](J j, W w, Config& c) { read_seconds(j, w, false, c.timeout_s); }},
         {"seed", [](J j, W w, Config& c) { read_seed(j, w, c.measure.seed); }},
+        {"tolerance", [](J j, W w, Config& c) { c.tolerance = read_tolerance(j, w); }},
         {"timer", [](J j, W w, Config& c) { read_timer(j, w, c.measure.timer); }},
         {"skip_time", [](J j, W w, Config& c) { decode(j, w, c.measure.skip_time); }},
         {"kernel_dir", [](J j, W w, Config& c) { decode(j, w, c.measure.kernel_dir); }},
@@ -109,6 +111,7 @@ std::string dump_config(const Config& config) {
     json["samples"] = config.measure.samples;
     json["max_time"] = config.measure.max_time_s;
     json["max_total_time"] = config.max_total_time_s;
+    if (config.tolerance) json["tolerance"] = percent_text(*config.tolerance);
     json["timeout"] = config.timeout_s;
     json["seed"] = config.measure.seed;
     json["timer"] = config.measure.timer;

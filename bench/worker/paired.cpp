@@ -36,9 +36,10 @@ Request round_request(const Case& c) {
 
 }  // namespace
 
-PairedRun::PairedRun(const DeviceInfo& device, const Side& base, const Side& now)
+PairedRun::PairedRun(const DeviceInfo& device, const Side& base, const Side& now, Stopped stopped)
     : base_{base.name, DeviceWorker(device, base.open, base.measure)},
-      now_{now.name, DeviceWorker(device, now.open, now.measure)} {}
+      now_{now.name, DeviceWorker(device, now.open, now.measure)},
+      stopped_(std::move(stopped)) {}
 
 Record PairedRun::validated(Worker& side, const Case& c) {
     Request request;
@@ -73,6 +74,7 @@ void PairedRun::add_block(PairedCase& c, std::vector<Block> GateCase::*stage) {
         const Record record =
             ask(now ? now_.worker : base_.worker, round_request(now ? c.gate.now : c.gate.base), no_progress);
         const bool complete = static_cast<int>(record.samples.size()) == round_samples;
+        if (stopped_()) return;
         if (record.status != Status::ok || !complete) {
             (now ? c.now : c.base) = record;
             return leave_out(c, now, record.reason);
@@ -84,14 +86,13 @@ void PairedRun::add_block(PairedCase& c, std::vector<Block> GateCase::*stage) {
 }
 
 void take_blocks(PairedRun& run, const std::vector<PairedCase*>& cases, std::vector<Block> GateCase::*stage,
-                 int blocks, std::uint64_t seed, const Stopped& stopped,
-                 const std::function<void(int done)>& tell) {
+                 int blocks, std::uint64_t seed, const std::function<void(int done)>& tell) {
     std::mt19937_64 random(seed);
     auto order = cases;
     for (int done = 0; done < blocks; ++done) {
         std::shuffle(order.begin(), order.end(), random);
         for (PairedCase* c : order) {
-            if (stopped()) return;
+            if (run.stopped()) return;
             if (c->gate.not_measured.empty()) run.add_block(*c, stage);
         }
         tell(done + 1);

@@ -76,8 +76,8 @@ TEST(gate, holm_counts_the_confirmed_cases_only) {
     const auto findings = decide(std::vector{gate_case(1.0), gate_case(1.1, 1.1), gate_case(1.2, 1.2)});
     EXPECT_DOUBLE_EQ(findings[0].evidence.holm_p, findings[0].evidence.p);
     EXPECT_DOUBLE_EQ(findings[1].evidence.holm_p, 2 * findings[1].evidence.p);
-    EXPECT_EQ(findings[1].blocks, confirm_blocks);
-    EXPECT_EQ(findings[0].blocks, screen_blocks);
+    EXPECT_EQ(findings[1].n, confirm_blocks);
+    EXPECT_EQ(findings[0].n, screen_blocks);
 }
 
 TEST(gate, findings_carry_medians_ratio_and_smallest_effect) {

@@ -18,7 +18,9 @@ Side side(const std::string& name) {
             {}};
 }
 
-PairedRun paired() { return {device(), side("--base"), side("--new")}; }
+PairedRun paired(const Stopped& stopped = [] { return false; }) {
+    return {device(), side("--base"), side("--new"), stopped};
+}
 
 /// The scene says how the fake worker behaves.
 PairedCase paired_case(const std::string& base, const std::string& now) {
@@ -88,19 +90,19 @@ TEST(paired, a_side_that_does_not_start_ends_the_run) {
 }
 
 TEST(paired, blocks_are_taken_of_all_cases_until_stopped) {
-    auto run = paired();
+    bool stop = false;
+    auto run = paired([&] { return stop; });
     PairedCase one = paired_case("good", "good"), two = paired_case("good", "slower");
     run.validate(one);
     run.validate(two);
     int told = 0;
     const auto count = [&](int done) { told = done; };
-    take_blocks(
-        run, {&one, &two}, &GateCase::screen, 3, 7, [] { return false; }, count);
+    take_blocks(run, {&one, &two}, &GateCase::screen, 3, 7, count);
     EXPECT_EQ(one.gate.screen.size(), 3u);
     EXPECT_EQ(two.gate.screen.size(), 3u);
     EXPECT_EQ(told, 3);
-    take_blocks(
-        run, {&one, &two}, &GateCase::confirm, 3, 7, [] { return true; }, count);
+    stop = true;
+    take_blocks(run, {&one, &two}, &GateCase::confirm, 3, 7, count);
     EXPECT_TRUE(one.gate.confirm.empty());
 }
 

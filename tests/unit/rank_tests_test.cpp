@@ -74,16 +74,16 @@ TEST(shift, centre_and_interval_of_a_published_sample) {
     const Shift shift = centre(maize, 0.95);
     EXPECT_DOUBLE_EQ(shift.value, 25);
     ASSERT_TRUE(shift.interval);
-    EXPECT_DOUBLE_EQ(shift.interval->first, 4);
-    EXPECT_DOUBLE_EQ(shift.interval->second, 41.5);
+    EXPECT_DOUBLE_EQ(shift.interval->low, 4);
+    EXPECT_DOUBLE_EQ(shift.interval->high, 41.5);
 }
 
 TEST(shift, between_two_published_samples) {
     const Shift shift = shift_between(earlier, at_term, 0.95);
     EXPECT_NEAR(shift.value, 0.305, 1e-12);
     ASSERT_TRUE(shift.interval);
-    EXPECT_NEAR(shift.interval->first, -0.15, 1e-12);
-    EXPECT_NEAR(shift.interval->second, 0.76, 1e-12);
+    EXPECT_NEAR(shift.interval->low, -0.15, 1e-12);
+    EXPECT_NEAR(shift.interval->high, 0.76, 1e-12);
 }
 
 TEST(shift, too_few_values_have_no_interval) {
