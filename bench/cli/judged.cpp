@@ -66,6 +66,23 @@ std::string title_of(const GateFile& gate) {
     return fmt::format("base: {}; new: {}", name_of(gate.base), name_of(gate.now));
 }
 
+Outcome conclude(const Comparison& comparison, const std::string& title, const JudgeFlags& flags) {
+    Outcome outcome;
+    outcome.not_comparable = comparison.rows.empty();
+    for (const std::string& field : comparison.differing)
+        put(stderr, fmt::format("not comparable: {}{}\n", field,
+                                comparison.rows.empty() ? "; --allow-cross shows ratios" : ""));
+    if (comparison.rows.empty()) return outcome;
+    std::vector<double> tolerances;
+    for (const Row& row : comparison.rows) tolerances.push_back(row.tolerance);
+    add_change(outcome, change_of(comparison.rows, rules_of(flags, tolerances)));
+    const std::string json = comparison_text(comparison);
+    if (flags.json == "-") put(stdout, json);
+    if (!flags.json.empty() && flags.json != "-") write_file(flags.json, json);
+    show_rows(comparison.rows, title, flags);
+    return outcome;
+}
+
 void check_outputs(const JudgeFlags& flags) {
     if (flags.json == "-" && flags.md == "-")
         throw UsageError("only one of --json and --md can write to stdout (-)");

@@ -6,6 +6,7 @@
 #include "bench/cli/exit_code.h"
 #include "bench/cli/options.h"
 #include "bench/compare/gate_file.h"
+#include "bench/compare/sessions.h"
 #include "bench/plan/tolerance.h"
 
 namespace ptb {
@@ -24,6 +25,9 @@ Outcome outcome_of(const GateFile& gate);
 
 /// "base: ...", "new: ..."
 std::string title_of(const GateFile& gate);
+
+/// Shows and writes a comparison of files, or says on stderr why the files cannot be compared.
+Outcome conclude(const Comparison& comparison, const std::string& title, const JudgeFlags& flags);
 
 /// Makes sure that --json and --md can be written, before there is anything to write.
 void check_outputs(const JudgeFlags& flags);

@@ -11,7 +11,7 @@ Change change_of(const std::vector<Row>& rows, const Rules& rules) {
     for (const Row& row : rows) {
         const State state = row.finding.state;
         const bool gates = row.advisory.empty();
-        const bool too_noisy = rules.require_mde > 0 && row.finding.smallest_effect > rules.require_mde;
+        const bool too_noisy = rules.require_mde > 0 && !(row.finding.smallest_effect <= rules.require_mde);
         if (row.compared()) change.nothing_compared = false;
         change.regressed |= gates && state == State::regressed;
         change.coverage_lost |= state == State::missing && !rules.allow_missing;
