@@ -9,11 +9,11 @@
 namespace ptb {
 
 double parse_percent(std::string_view text) {
-    std::string_view number = text.substr(0, text.find('%'));
+    std::string_view number = text.ends_with('%') ? text.substr(0, text.size() - 1) : std::string_view();
     while (number.ends_with(' ')) number.remove_suffix(1);
     double percent = 0;
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), percent);
-    const bool whole = error == std::errc() && end == number.data() + number.size() && text.ends_with('%');
+    const bool whole = error == std::errc() && end == number.data() + number.size();
     if (!whole || !(percent > 0 && percent <= 100))
         throw UsageError(fmt::format("found {}; allowed: a percentage above 0 and at most 100, as 5%",
                                      shortened(printable(text), 40)));
