@@ -127,7 +127,7 @@ int ab_command(const Options& options, const std::vector<std::string>& argv) {
     const fs::path file = decision_file(options.ab.judge, gate.run);
     measure(plan, options, cases, gate);
     write_gate(file, gate);
-    show_rows(rows_of(gate), title_of(gate), options.ab.judge);
+    show_rows(rows_of(gate), title_of(gate), options.ab.judge, table_stream(options.ab.judge));
     tell(options.common, fmt::format("written: {}", file.string()));
     return exit_code(outcome_of(gate));
 }

@@ -21,7 +21,7 @@ int replay(const CompareFlags& flags) {
             throw std::runtime_error(fmt::format("{}: /findings/{}/state: stored is {}, its data say {}",
                                                  flags.replay, i, to_string(stored), to_string(decided)));
     }
-    show_rows(rows_of(again), title_of(again), flags.judge);
+    show_rows(rows_of(again), title_of(again), flags.judge, table_stream(flags.judge));
     return exit_code(outcome_of(again));
 }
 
@@ -68,7 +68,10 @@ int compare_files(const Options& options) {
         flags.history.empty() ? compare_sessions(base, now, how) : compare_history(base, now.front(), how);
     const auto title =
         fmt::format("base: {}; new: {}", fmt::join(files.base, " "), fmt::join(files.now, " "));
-    return exit_code(conclude(comparison, title, flags.judge));
+    Outcome outcome;
+    add_comparison(outcome, comparison, flags.judge);
+    show_comparison(comparison, title, flags.judge, table_stream(flags.judge));
+    return exit_code(outcome);
 }
 
 }  // namespace

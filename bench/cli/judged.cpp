@@ -66,21 +66,21 @@ std::string title_of(const GateFile& gate) {
     return fmt::format("base: {}; new: {}", name_of(gate.base), name_of(gate.now));
 }
 
-Outcome conclude(const Comparison& comparison, const std::string& title, const JudgeFlags& flags) {
-    Outcome outcome;
-    outcome.not_comparable = comparison.rows.empty();
-    for (const std::string& field : comparison.differing)
-        put(stderr, fmt::format("not comparable: {}{}\n", field,
-                                comparison.rows.empty() ? "; --allow-cross shows ratios" : ""));
-    if (comparison.rows.empty()) return outcome;
+void add_comparison(Outcome& outcome, const Comparison& comparison, const JudgeFlags& flags) {
     std::vector<double> tolerances;
     for (const Row& row : comparison.rows) tolerances.push_back(row.tolerance);
     add_change(outcome, change_of(comparison.rows, rules_of(flags, tolerances)));
+}
+
+void show_comparison(const Comparison& comparison, const std::string& title, const JudgeFlags& flags,
+                     std::FILE* out) {
+    for (const std::string& field : comparison.differing)
+        put(stderr, fmt::format("not comparable: {}{}\n", field,
+                                comparison.rows.empty() ? "; --allow-cross shows ratios" : ""));
     const std::string json = comparison_text(comparison);
     if (flags.json == "-") put(stdout, json);
     if (!flags.json.empty() && flags.json != "-") write_file(flags.json, json);
-    show_rows(comparison.rows, title, flags);
-    return outcome;
+    if (!comparison.rows.empty()) show_rows(comparison.rows, title, flags, out);
 }
 
 void check_outputs(const JudgeFlags& flags) {
@@ -90,12 +90,16 @@ void check_outputs(const JudgeFlags& flags) {
         if (!file.empty() && file != "-") check_writable(flag, file);
 }
 
-void show_rows(const std::vector<Row>& rows, const std::string& title, const JudgeFlags& flags) {
+void show_rows(const std::vector<Row>& rows, const std::string& title, const JudgeFlags& flags,
+               std::FILE* out) {
     const Section section = changes_section(rows, title);
-    const bool taken = flags.json == "-" || flags.md == "-";
-    put(taken ? stderr : stdout, to_text(section));
+    put(out, to_text(section));
     if (flags.md == "-") put(stdout, to_markdown(section));
     if (!flags.md.empty() && flags.md != "-") write_file(flags.md, to_markdown(section));
+}
+
+std::FILE* table_stream(const JudgeFlags& flags) {
+    return flags.json == "-" || flags.md == "-" ? stderr : stdout;
 }
 
 }  // namespace ptb

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -26,14 +27,21 @@ Outcome outcome_of(const GateFile& gate);
 /// "base: ...", "new: ..."
 std::string title_of(const GateFile& gate);
 
-/// Shows and writes a comparison of files, or says on stderr why the files cannot be compared.
-Outcome conclude(const Comparison& comparison, const std::string& title, const JudgeFlags& flags);
+/// Adds what a comparison of files comes to. Throws UsageError by `rules_of`.
+void add_comparison(Outcome& outcome, const Comparison& comparison, const JudgeFlags& flags);
+
+/// Shows a comparison on `out` and writes it where the flags say, or says on stderr why there is none.
+void show_comparison(const Comparison& comparison, const std::string& title, const JudgeFlags& flags,
+                     std::FILE* out);
 
 /// Makes sure that --json and --md can be written, before there is anything to write.
 void check_outputs(const JudgeFlags& flags);
 
-/// The table to stdout, and Markdown where --md says. Only what is asked for goes to stdout when --json or
-/// --md is "-"; the table then goes to stderr.
-void show_rows(const std::vector<Row>& rows, const std::string& title, const JudgeFlags& flags);
+/// The table to `out`, and Markdown where --md says.
+void show_rows(const std::vector<Row>& rows, const std::string& title, const JudgeFlags& flags,
+               std::FILE* out);
+
+/// stdout, unless --json or --md asks for it: then the table goes to stderr.
+std::FILE* table_stream(const JudgeFlags& flags);
 
 }  // namespace ptb

@@ -111,6 +111,12 @@ void add_outputs(CLI::App& app, RunFlags& flags) {
     option(app, "--out", flags.out, "folder of all outputs [ptbench-results/TIME-CONFIG]");
 }
 
+void add_baselines(CLI::App& app, RunFlags& flags) {
+    option(app, "--baseline", flags.baseline, "compare with this baseline: a name or a result file");
+    option(app, "--save-baseline", flags.save_baseline, "keep the result as the baseline of this name");
+    option(app, "--baseline-dir", flags.baseline_dir, "folder of baselines")->capture_default_str();
+}
+
 void add_run(CLI::App& app, RunFlags& flags, bool& list) {
     option(app, "--config", flags.config, "name or file of a config")->capture_default_str();
     list_option(app, "-d,--device", flags.devices,
@@ -121,6 +127,7 @@ void add_run(CLI::App& app, RunFlags& flags, bool& list) {
     add_axis_flags(app, flags.axis_values, true);
     add_measuring(app, flags);
     add_outputs(app, flags);
+    add_baselines(app, flags);
     flag(app, "--dry-run", flags.dry_run, "print the plan with its predicted cost");
     flag(app, "--dump-config", flags.dump_config, "print the config and end");
     app.add_flag("-l,--list", list, "same as `ptbench list`");

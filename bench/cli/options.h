@@ -29,7 +29,8 @@ struct RunFlags {
     std::string timer;
     bool skip_time = false, dry_run = false, dump_config = false, no_isolate = false;
     std::string json, csv, md;  ///< files, or "-" for stdout
-    std::string out;            ///< folder of the run's outputs, or empty for one named after time and config
+    std::string baseline, save_baseline, baseline_dir = "ptbench-baselines";
+    std::string out;  ///< folder of the run's outputs, or empty for one named after time and config
 };
 
 struct ListFlags {

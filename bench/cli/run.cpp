@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "bench/cli/baseline.h"
 #include "bench/cli/check.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/exit_code.h"
@@ -138,16 +139,11 @@ void report(const Options& options, const Prepared& prepared, Outputs& outputs, 
     }
 }
 
-int exit_code_of(const ResultFile& result) {
-    Outcome outcome = outcome_of(result.cases);
-    outcome.interrupted = result.run.interrupted;
-    return exit_code(outcome);
-}
-
 int measure(const Options& options, Prepared& prepared, const std::vector<std::string>& argv,
             const Stopped& stopped) {
     const double start_s = steady_seconds();
     ResultFile result = start_result(prepared, options, argv);
+    const Baseline baseline(options.run);
     Outputs outputs(options.run, prepared.config.name, result.run.started_at);
     prepared.plan.image_files = outputs.pictures(prepared.plan.cases);
     Coordinator coordinator(prepared.plan, channels(options, prepared.config, stopped), stopped);
@@ -155,7 +151,11 @@ int measure(const Options& options, Prepared& prepared, const std::vector<std::s
     result.run.wall_s = steady_seconds() - start_s;
     result.run.interrupted = stopped();
     report(options, prepared, outputs, result);
-    return exit_code_of(result);
+    Outcome outcome = outcome_of(result.cases);
+    baseline.conclude(result, prepared.config, options.common, outputs.stdout_is_taken() ? stderr : stdout,
+                      outcome);
+    outcome.interrupted = result.run.interrupted;
+    return exit_code(outcome);
 }
 
 int dry_run(const Options& options, const Prepared& prepared, const Stopped& stopped) {
