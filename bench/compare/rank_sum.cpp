@@ -56,14 +56,21 @@ double rank_sum_p(std::span<const double> base, std::span<const double> now) {
     return std::min(1.0, 2 * std::min(share_up_to(counts, sum), 1 - share_up_to(counts, sum - 1)));
 }
 
-double rank_sum_cdf(int n, int m, int u) {
+std::vector<double> rank_sum_cdf(int n, int m) {
+    std::vector<double> cdf;
+    const double sd = std::sqrt(n * m * (n + m + 1.0) / 12);
     if (n + m > static_cast<int>(most_exact)) {
-        const double sd = std::sqrt(n * m * (n + m + 1.0) / 12);
-        return normal_cdf((u + 0.5 - n * m / 2.0) / sd);
+        for (int u = 0; u <= n * m; ++u) cdf.push_back(normal_cdf((u + 0.5 - n * m / 2.0) / sd));
+        return cdf;
     }
     std::vector<int> ranks(static_cast<std::size_t>(n + m));
     std::iota(ranks.begin(), ranks.end(), 1);
-    return share_up_to(sum_counts(ranks, static_cast<std::size_t>(n)), u + n * (n + 1) / 2);
+    const auto counts = sum_counts(ranks, static_cast<std::size_t>(n));
+    const double all = std::accumulate(counts.begin(), counts.end(), 0.0);
+    double so_far = 0;
+    for (int u = 0, least = n * (n + 1) / 2; u <= n * m; ++u)
+        cdf.push_back((so_far += counts[static_cast<std::size_t>(least + u)]) / all);
+    return cdf;
 }
 
 }  // namespace ptb

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 namespace ptb {
 
@@ -16,9 +17,9 @@ double signed_rank_p(std::span<const double> differences);
 double rank_sum_p(std::span<const double> base, std::span<const double> now);
 inline constexpr std::size_t most_exact = 60;
 
-/// P(W <= w) and P(U <= u) of the two tests' statistics under the null, without ties: by how many order
-/// statistics an interval may be narrowed.
-double signed_rank_cdf(int n, int w);
-double rank_sum_cdf(int n, int m, int u);
+/// P(W <= w) and P(U <= u) of the two tests' statistics under the null, without ties, for every w and u: by
+/// how many order statistics an interval may be narrowed.
+std::vector<double> signed_rank_cdf(int n);
+std::vector<double> rank_sum_cdf(int n, int m);
 
 }  // namespace ptb

@@ -45,10 +45,12 @@ double signed_rank_p(std::span<const double> differences) {
     return std::min(1.0, 2 * sum_up_to(sum_distribution(ranks), std::min(above, below)));
 }
 
-double signed_rank_cdf(int n, int w) {
+std::vector<double> signed_rank_cdf(int n) {
     std::vector<int> ranks(static_cast<std::size_t>(n));
     std::iota(ranks.begin(), ranks.end(), 1);
-    return sum_up_to(sum_distribution(ranks), w);
+    auto cdf = sum_distribution(ranks);
+    std::partial_sum(cdf.begin(), cdf.end(), cdf.begin());
+    return cdf;
 }
 
 }  // namespace ptb
