@@ -68,8 +68,8 @@ std::vector<double> rank_sum_cdf(int n, int m) {
     const auto counts = sum_counts(ranks, static_cast<std::size_t>(n));
     const double all = std::accumulate(counts.begin(), counts.end(), 0.0);
     double so_far = 0;
-    for (int u = 0, least = n * (n + 1) / 2; u <= n * m; ++u)
-        cdf.push_back((so_far += counts[static_cast<std::size_t>(least + u)]) / all);
+    auto count = counts.begin() + n * (n + 1) / 2;  // of the least sum, U = 0
+    for (int u = 0; u <= n * m; ++u) cdf.push_back((so_far += *count++) / all);
     return cdf;
 }
 

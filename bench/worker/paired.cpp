@@ -57,7 +57,8 @@ void PairedRun::validate(PairedCase& c) {
     c.gate.timer = faulty(c.base) || faulty(c.now) ? "host" : "event";
     for (const bool now : {false, true}) {
         const Record& record = now ? c.now : c.base;
-        if (record.status != Status::ok && c.gate.not_measured.empty()) leave_out(c, now, record.reason);
+        const bool valid = record.status == Status::ok || record.status == Status::unstable;
+        if (!valid && c.gate.not_measured.empty()) leave_out(c, now, record.reason);
     }
 }
 

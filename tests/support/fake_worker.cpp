@@ -89,7 +89,7 @@ void answer_run(const Request& request) {
     response.kind = Response::Kind::record;
     response.record.emplace();
     response.record->params = request.params;
-    response.record->status = Status::ok;
+    response.record->status = request.params.scene == "unstable" ? Status::unstable : Status::ok;
     response.record->statistics.emplace();
     response.record->statistics->n = ::getpid();  // lets a test see which process answered
     response.record->statistics->max_ns = request.time_left_s.value_or(-1);

@@ -71,6 +71,10 @@ TEST(paired, what_fails_on_one_side_is_not_measured_and_says_why) {
     EXPECT_EQ(now.gate.without_times, State::missing);
 }
 
+TEST(paired, unstable_times_before_the_blocks_are_no_reason_to_leave_a_case_out) {
+    EXPECT_EQ(after_a_block("unstable", "good").gate.screen.size(), 1u);
+}
+
 TEST(paired, what_fails_in_a_round_loses_its_blocks_and_is_recorded) {
     const PairedCase dead = after_a_block("good", "dies-in-a-round");
     EXPECT_EQ(dead.now.status, Status::crash);
