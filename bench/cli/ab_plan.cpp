@@ -24,9 +24,9 @@ Config side_config(const AbFlags& flags, const CommonFlags& common, const GateSi
     return config;
 }
 
-GateSide side_of(const AbFlags& flags, const std::string& binary, const std::string& kernels,
-                 const std::string& config) {
-    return {binary.empty() ? self_path().string() : binary, kernels,
+GateSide side_of(const AbFlags& flags, const CommonFlags& common, const std::string& binary,
+                 const std::string& kernels, const std::string& config) {
+    return {binary.empty() ? self_path().string() : binary, kernels.empty() ? common.kernel_dir : kernels,
             config.empty() ? flags.run.config : config};
 }
 
@@ -42,8 +42,8 @@ Side running(const std::string& name, const GateSide& side, const Config& config
 
 AbPlan plan_ab(const AbFlags& flags, const CommonFlags& common) {
     AbPlan plan;
-    plan.base = side_of(flags, flags.base, flags.base_kernels, flags.base_config);
-    plan.now = side_of(flags, flags.now, flags.new_kernels, flags.new_config);
+    plan.base = side_of(flags, common, flags.base, flags.base_kernels, flags.base_config);
+    plan.now = side_of(flags, common, flags.now, flags.new_kernels, flags.new_config);
     plan.base_config = side_config(flags, common, plan.base);
     plan.now_config = side_config(flags, common, plan.now);
     check_names(expand(plan.base_config, {DeviceInfo()}));

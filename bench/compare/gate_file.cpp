@@ -1,6 +1,7 @@
 #include "bench/compare/gate_file.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,7 +19,9 @@ bool all_positive(const std::vector<std::int64_t>& times) {
     return !times.empty() && std::all_of(times.begin(), times.end(), [](auto ns) { return ns > 0; });
 }
 
-void check_blocks(const std::vector<Block>& blocks, const std::string& timer, const Where& where) {
+void check_blocks(const std::vector<Block>& blocks, int most, const std::string& timer, const Where& where) {
+    if (std::cmp_greater(blocks.size(), most))
+        where.fail(fmt::format("found {} blocks; allowed: at most {}", blocks.size(), most));
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         const Where block(where, i), at(block, "rounds");
         const auto& rounds = blocks[i].rounds;
@@ -38,8 +41,8 @@ void check_cases(const GateFile& gate, const Where& root) {
         const Where at(cases, i);
         if (c.timer != "event" && c.timer != "host") Where(at, "timer").refuse(c.timer, "event, host");
         if (!(c.tolerance > 0)) Where(at, "tolerance").refuse(c.tolerance, "a number above 0");
-        check_blocks(c.screen, c.timer, Where(at, "screen"));
-        check_blocks(c.confirm, c.timer, Where(at, "confirm"));
+        check_blocks(c.screen, screen_blocks, c.timer, Where(at, "screen"));
+        check_blocks(c.confirm, confirm_blocks, c.timer, Where(at, "confirm"));
     }
     for (const auto count : {gate.findings.size(), gate.base_records.size(), gate.now_records.size()})
         if (count != gate.cases.size())

@@ -61,13 +61,24 @@ void add_differing(const Matched& m, std::set<std::string>& differing) {
         }
 }
 
+/// Of very many values, evenly spaced order statistics: pairs of all would not fit into memory.
+std::vector<double> thinned(std::vector<double> values) {
+    constexpr std::size_t most = 1000;
+    if (values.size() <= most) return values;
+    std::sort(values.begin(), values.end());
+    std::vector<double> kept;
+    for (std::size_t i = 0; i < most; ++i)
+        kept.push_back(quantile(values, (static_cast<double>(i) + 0.5) / most));
+    return kept;
+}
+
 std::vector<double> logs(const std::vector<const SessionCase*>& cases, bool samples) {
     std::vector<double> values;
     for (const SessionCase* const c : cases) {
         const auto times = samples ? c->times_ns : std::vector{c->median_ns()};
         for (const double ns : times) values.push_back(std::log(ns));
     }
-    return values;
+    return thinned(std::move(values));
 }
 
 double median_of_logs(std::vector<double> values) {

@@ -139,6 +139,7 @@ TEST_F(Readers, a_gate_that_cannot_be_decided_is_refused) {
     refused([](GateFile& g) { g.cases[0].screen[3].rounds.pop_back(); });
     refused([](GateFile& g) { g.cases[0].screen[3].rounds[2].kernel_ns.clear(); });
     refused([](GateFile& g) { g.cases[0].screen[3].rounds[2].kernel_ns[0] = 0; });
+    refused([](GateFile& g) { g.cases[0].screen.push_back(g.cases[0].screen[0]); });
     refused([](GateFile& g) { g.cases[0].timer = "sun"; });
     refused([](GateFile& g) { g.cases[0].tolerance = 0; });
     refused([](GateFile& g) { g.findings.clear(); });

@@ -138,6 +138,17 @@ TEST(sessions, a_single_value_a_side_cannot_be_judged) {
     EXPECT_TRUE(change_of({row}, strict).inconclusive) << "an unknown effect passed for a small one";
 }
 
+TEST(sessions, very_many_samples_are_compared_by_their_order_statistics) {
+    auto base = session({session_case("a", 1e6)}), now = session({session_case("a", 1.1e6)});
+    for (auto* const side : {&base, &now})
+        for (int i = 0; i < 20'000; ++i)
+            side->cases[0].times_ns.push_back(side->cases[0].times_ns[std::size_t(i) % 10]);
+    const Row row = only(compare_sessions({base}, {now}, rules()));
+    EXPECT_EQ(row.finding.state, State::regressed);
+    EXPECT_NEAR(row.finding.evidence.ratio(), 1.1, 1e-3);
+    EXPECT_EQ(row.finding.n, 1000);
+}
+
 TEST(history, a_session_far_off_regresses_and_one_within_does_not) {
     EXPECT_EQ(only(compare_history(sessions(10, 1e6), sessions(1, 1.1e6)[0], rules())).finding.state,
               State::regressed);
