@@ -21,6 +21,10 @@ int dispatch(const ptb::Options& options, const std::vector<std::string>& argv) 
             return ptb::list_command(options);
         case ptb::Options::Command::render:
             return ptb::render_command(options);
+        case ptb::Options::Command::compare:
+            return ptb::compare_command(options);
+        case ptb::Options::Command::ab:
+            return ptb::ab_command(options, argv);
         case ptb::Options::Command::worker:
             return ptb::worker_command_line(options);
         case ptb::Options::Command::run:

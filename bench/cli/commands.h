@@ -12,6 +12,8 @@ namespace ptb {
 int run_command(const Options& options, const std::vector<std::string>& argv);
 int list_command(const Options& options);
 int render_command(const Options& options);
+int compare_command(const Options& options);
+int ab_command(const Options& options, const std::vector<std::string>& argv);
 int worker_command_line(const Options& options);
 
 /// How workers of this run are started.

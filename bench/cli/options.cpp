@@ -7,11 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "bench/cli/option_parts.h"
 #include "bench/cli/value_checks.h"
 #include "bench/plan/limits.h"
+#include "bench/version.h"
 #include "core/input/nearest.h"
 #include "core/input/printable.h"
-#include "bench/version.h"
 
 namespace ptb {
 namespace {
@@ -21,8 +22,8 @@ constexpr auto description =
     "Without a command it runs a config; `ptbench run` is the same.\n";
 constexpr auto footer =
     "Options of a run can also be set as PTBENCH_<OPTION>, e.g. PTBENCH_CONFIG=thesis.\n"
-    "Exit codes: 0 done, 1 a case failed, 2 usage, 4 a wrong image, 7 not comparable, "
-    "77 no OpenCL device, 130 interrupted.";
+    "Exit codes: 0 done, 1 a case failed, 2 usage, 3 regressed, 4 a wrong image, 5 inconclusive, "
+    "6 coverage lost, 7 not comparable, 77 no OpenCL device, 130 interrupted.";
 
 /// Axis name and its flag, in the order of --help.
 struct AxisFlag {
@@ -53,7 +54,8 @@ CLI::Option* flag(CLI::App& app, const std::string& flags, bool& value, const st
     return app.add_flag(flags, value, help)->envname(variable_of(flags));
 }
 
-/// A list fed by repeating the flag; brackets and commas in it are left alone.
+}  // namespace
+
 void list_option(CLI::App& app, const std::string& flags, std::vector<std::string>& values,
                  const char* help) {
     option(app, flags, values, help)
@@ -72,7 +74,7 @@ void add_axis_flags(CLI::App& app, std::map<std::string, std::string>& values, b
     }
 }
 
-void add_common(CLI::App& app, CommonFlags& flags) {
+void add_common_flags(CLI::App& app, CommonFlags& flags) {
     flag(app, "-q,--quiet", flags.quiet, "no progress, no hints");
     flag(app, "-v,--verbose", flags.verbose, "also show excluded devices, broken drivers and build logs");
     option(app, "--color", flags.color, "auto, always, never")
@@ -81,6 +83,8 @@ void add_common(CLI::App& app, CommonFlags& flags) {
         ->check(CLI::ExistingDirectory);
     option(app, "--launcher", flags.launcher, "words before a worker's command: \"srun -w node7\"");
 }
+
+namespace {
 
 void add_measuring(CLI::App& app, RunFlags& flags) {
     option(app, "-w,--warmup", flags.warmup, "untimed samples before the timed ones [until steady]")
@@ -112,6 +116,12 @@ void add_outputs(CLI::App& app, RunFlags& flags) {
     option(app, "--out", flags.out, "folder of all outputs [ptbench-results/TIME-CONFIG]");
 }
 
+void add_baselines(CLI::App& app, RunFlags& flags) {
+    option(app, "--baseline", flags.baseline, "compare with this baseline: a name or a result file");
+    option(app, "--save-baseline", flags.save_baseline, "keep the result as the baseline of this name");
+    option(app, "--baseline-dir", flags.baseline_dir, "folder of baselines")->capture_default_str();
+}
+
 void add_run(CLI::App& app, RunFlags& flags, bool& list) {
     option(app, "--config", flags.config, "name or file of a config [quick]");
     list_option(app, "-d,--device", flags.devices,
@@ -124,6 +134,7 @@ void add_run(CLI::App& app, RunFlags& flags, bool& list) {
     add_outputs(app, flags);
     option(app, "--resume", flags.resume, "go on with the run of this journal or result file")
         ->check(CLI::ExistingFile);
+    add_baselines(app, flags);
     flag(app, "--dry-run", flags.dry_run, "print the plan with its predicted cost");
     flag(app, "--dump-config", flags.dump_config, "print the config and end");
     app.add_flag("-l,--list", list, "same as `ptbench list`");
@@ -132,23 +143,29 @@ void add_run(CLI::App& app, RunFlags& flags, bool& list) {
 /// The command line's grammar, bound to `options`.
 struct Grammar {
     CLI::App app{description, "ptbench"};
-    CLI::App *list, *render, *worker;
+    CLI::App *list, *render, *compare, *ab, *worker;
     bool list_flag = false;
 
     explicit Grammar(Options& options) {
         app.footer(footer);
         add_run(app, options.run, list_flag);
-        add_common(app, options.common);
+        add_common_flags(app, options.common);
         list = app.add_subcommand("list", "devices, kernels, scenes and configs");
         list->add_flag("--json", options.list.json, "as JSON");
-        add_common(*list, options.common);
+        add_common_flags(*list, options.common);
         add_render(options.render);
-        add_common(*render, options.common);
+        add_common_flags(*render, options.common);
+        compare = app.add_subcommand("compare", "what changed between result files");
+        add_compare_flags(*compare, options.compare);
+        add_common_flags(*compare, options.common);
+        ab = app.add_subcommand("ab", "measure two versions alternately, and decide what changed");
+        add_ab_flags(*ab, options.ab);
+        add_common_flags(*ab, options.common);
         worker = app.add_subcommand("worker", "answer requests on stdin; started by ptbench itself");
         worker->group("");
         worker->add_option("--device", options.worker.device, "key of the device");
         worker->add_flag("--probe", options.worker.probe, "print the devices and end");
-        for (auto* command : {&app, list, render, worker}) {
+        for (auto* command : {&app, list, render, compare, ab, worker}) {
             command->set_version_flag("--version", std::string("ptbench ") + version::tool);
             command->allow_extras();
         }
@@ -165,7 +182,7 @@ struct Grammar {
     }
 
     const CLI::App& used() const {
-        for (const auto* command : {list, render, worker}) {
+        for (const auto* command : {list, render, compare, ab, worker}) {
             if (command->parsed()) return *command;
         }
         return app;
@@ -190,8 +207,9 @@ void refuse_leftovers(const Grammar& grammar, const std::string& first_word) {
                                      did_you_mean(word, known_flags(grammar.used()))));
     }
     if (word != first_word) throw UsageError(fmt::format("unexpected word \"{}\"", printable(left.front())));
-    throw UsageError(fmt::format("unknown command {}{}; commands: run, list, render", printable(word),
-                                 did_you_mean(word, {"run", "list", "render"})));
+    throw UsageError(fmt::format("unknown command {}{}; commands: run, list, render, compare, ab",
+                                 printable(word),
+                                 did_you_mean(word, {"run", "list", "render", "compare", "ab"})));
 }
 
 /// What stands before a command would be of `run`, and would do nothing.
@@ -204,6 +222,8 @@ void refuse_late_command(const Grammar& grammar, const std::string& first_word) 
 Options::Command command_of(const Grammar& grammar) {
     if (grammar.list->parsed() || grammar.list_flag) return Options::Command::list;
     if (grammar.render->parsed()) return Options::Command::render;
+    if (grammar.compare->parsed()) return Options::Command::compare;
+    if (grammar.ab->parsed()) return Options::Command::ab;
     return grammar.worker->parsed() ? Options::Command::worker : Options::Command::run;
 }
 

@@ -30,6 +30,7 @@ struct RunFlags {
     std::string timer;
     bool skip_time = false, dry_run = false, dump_config = false, no_isolate = false;
     std::string json, csv, csv_samples, md;  ///< files, or "-" for stdout
+    std::string baseline, save_baseline, baseline_dir = "ptbench-baselines";
     std::string out;  ///< folder of the run's outputs, or empty for one named after time and config
 };
 
@@ -48,15 +49,44 @@ struct WorkerFlags {
     bool probe = false;
 };
 
+/// How changes are judged and where they are written; of `compare` and `ab`.
+struct JudgeFlags {
+    std::string tolerance, require_mde;  ///< percentages, or empty
+    std::string profile = "shared";      ///< "shared" (5 %) or "dedicated" (2 %)
+    bool strict = false, allow_missing = false;
+    std::string json, md;  ///< files, or "-" for stdout
+};
+
+/// Flags of `ab`: what is measured, and in what the sides differ.
+struct AbFlags {
+    RunFlags run;
+    JudgeFlags judge;
+    std::string base, now;                  ///< binaries, or empty for this one
+    std::string base_kernels, new_kernels;  ///< folders, or empty for the embedded kernels
+    std::string base_config, new_config;    ///< or empty for --config
+    std::uint64_t shuffle_seed = 1;
+};
+
+struct CompareFlags {
+    std::vector<std::string> files;               ///< OLD NEW
+    std::vector<std::string> base, now, history;  ///< sessions of either side, or those before
+    std::string replay;                           ///< a decision of `ab`
+    std::string config;                           ///< whose tolerances count, or empty
+    bool allow_cross = false, gate_single_session = false;
+    JudgeFlags judge;
+};
+
 /// A parsed command line.
 struct Options {
-    enum class Command { run, list, render, worker, text };
+    enum class Command { run, list, render, compare, ab, worker, text };
     Command command = Command::run;
     std::string text;  ///< of --help or --version: print it and end
     CommonFlags common;
     RunFlags run;
     ListFlags list;
     RenderFlags render;
+    CompareFlags compare;
+    AbFlags ab;
     WorkerFlags worker;
 };
 

@@ -7,9 +7,9 @@
 #include "bench/cli/interrupt.h"
 #include "bench/cli/outputs.h"
 #include "bench/cli/tell.h"
-#include "core/input/printable.h"
 #include "bench/worker/render_job.h"
 #include "core/image/image_io.h"
+#include "core/input/printable.h"
 
 namespace ptb {
 namespace {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "bench/cli/baseline.h"
 #include "bench/cli/check.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/exit_code.h"
@@ -19,11 +20,12 @@
 #include "bench/measure/clock.h"
 #include "bench/measure/fit.h"
 #include "bench/plan/data_dir.h"
+#include "bench/plan/scene_file.h"
 #include "bench/record/host.h"
 #include "bench/record/journal.h"
-#include "core/input/json.h"
 #include "bench/report/table.h"
 #include "bench/worker/progress.h"
+#include "core/input/json.h"
 #include "core/source/source.h"
 
 namespace ptb {
@@ -130,7 +132,8 @@ std::vector<std::string> hashed_scenes(const std::vector<Case>& cases) {
     std::set<std::string> names;
     for (const Case& c : cases) names.insert(c.scene);
     std::vector<std::string> scenes;
-    for (const auto& name : names) scenes.push_back(name + " " + text_hash(read_text(scene_file(name))));
+    for (const auto& name : names)
+        scenes.push_back(name + " " + text_hash(read_text(scene_file(name, data_dir()))));
     return scenes;
 }
 
@@ -179,14 +182,9 @@ void report(const Options& options, const Prepared& prepared, Outputs& outputs, 
     }
 }
 
-int exit_code_of(const ResultFile& result) {
-    Outcome outcome = outcome_of(result.cases);
-    outcome.interrupted = result.run.interrupted;
-    return exit_code(outcome);
-}
-
 int measure(const Options& options, Prepared& prepared, ResultFile& result, const Stopped& stopped) {
     const double start_s = steady_seconds();
+    const Baseline baseline(options.run);
     Outputs outputs(options.run, prepared.config.name, result.run.started_at);
     prepared.plan.image_files = outputs.pictures(prepared.planned, pictured(result.cases));
     Coordinator coordinator(prepared.plan, channels(options, prepared.config, stopped), stopped);
@@ -195,7 +193,11 @@ int measure(const Options& options, Prepared& prepared, ResultFile& result, cons
     result.run.coordinator_cpu_s += process_cpu_s();
     result.run.interrupted = stopped();
     report(options, prepared, outputs, result);
-    return exit_code_of(result);
+    Outcome outcome = outcome_of(result.cases);
+    baseline.conclude(result, prepared.config, options.common, outputs.stdout_is_taken() ? stderr : stdout,
+                      outcome);
+    outcome.interrupted = result.run.interrupted;
+    return exit_code(outcome);
 }
 
 int dry_run(const Options& options, const Prepared& prepared, const Stopped& stopped) {

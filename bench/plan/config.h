@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "bench/plan/case.h"
-#include "core/input/usage_error.h"
 #include "bench/record/record.h"
+#include "core/input/usage_error.h"
 
 namespace ptb {
 
@@ -26,6 +26,7 @@ struct Axis {
 struct Series {
     std::string name;
     std::vector<Axis> axes;
+    std::optional<double> tolerance;  ///< change of its cases that `compare` and `ab` let pass: 0.05
     bool operator==(const Series&) const = default;
 };
 
@@ -48,8 +49,9 @@ struct Config {
     std::vector<std::string> devices;  ///< selectors; empty means "all"
     std::vector<Series> series;
     MeasureOptions measure;
-    double max_total_time_s = 0;  ///< 0: no budget
-    double timeout_s = 120;       ///< a worker silent for longer within a case is killed
+    double max_total_time_s = 0;      ///< 0: no budget
+    std::optional<double> tolerance;  ///< of cases whose series has none
+    double timeout_s = 120;           ///< a worker silent for longer within a case is killed
     bool operator==(const Config&) const = default;
 };
 

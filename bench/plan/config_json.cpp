@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "bench/plan/limits.h"
+#include "bench/plan/tolerance.h"
 
 namespace ptb {
 namespace {
@@ -76,6 +77,7 @@ const std::vector<std::pair<std::string, Reader>>& readers() {
         {"max_total_time", [](J j, W w, Config& c) { read_seconds(j, w, true, c.max_total_time_s); }},
         {"timeout", [](J j, W w, Config& c) { read_seconds(j, w, false, c.timeout_s); }},
         {"seed", [](J j, W w, Config& c) { read_seed(j, w, c.measure.seed); }},
+        {"tolerance", [](J j, W w, Config& c) { c.tolerance = read_tolerance(j, w); }},
         {"timer", [](J j, W w, Config& c) { read_timer(j, w, c.measure.timer); }},
         {"skip_time", [](J j, W w, Config& c) { decode(j, w, c.measure.skip_time); }},
         {"kernel_dir", [](J j, W w, Config& c) { decode(j, w, c.measure.kernel_dir); }},
@@ -114,6 +116,7 @@ std::string dump_config(const Config& config) {
     json["max_samples"] = config.measure.max_samples;
     json["max_time"] = config.measure.max_time_s;
     json["max_total_time"] = config.max_total_time_s;
+    if (config.tolerance) json["tolerance"] = percent_text(*config.tolerance);
     json["timeout"] = config.timeout_s;
     json["seed"] = config.measure.seed;
     json["timer"] = config.measure.timer;

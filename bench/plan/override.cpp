@@ -22,7 +22,7 @@ void drop_name(Axis& axis, const std::string& name) {
 }  // namespace
 
 void override_axis(Config& config, const Axis& axis) {
-    if (config.series.empty()) config.series.push_back({config.name, {}});
+    if (config.series.empty()) config.series.push_back({config.name, {}, {}});
     for (Series& series : config.series) {
         for (Axis& old : series.axes)
             for (const auto& name : axis.names) drop_name(old, name);

@@ -4,6 +4,7 @@
 
 #include "bench/plan/axis_text.h"
 #include "bench/plan/config_json.h"
+#include "bench/plan/tolerance.h"
 
 namespace ptb {
 namespace {
@@ -70,11 +71,19 @@ bool is_axis_key(const std::string& key) {
 
 std::vector<std::string> series_keys() {
     auto known = axis_names();
-    known.insert(known.begin(), "name");
+    known.insert(known.begin(), {"name", "tolerance"});
     return known;
 }
 
 }  // namespace
+
+double read_tolerance(const Json& json, const Where& where) {
+    try {
+        return parse_percent(json.is_string() ? json.get<std::string>() : dump_json(json));
+    } catch (const UsageError& error) {
+        where.fail(error.what());
+    }
+}
 
 Series parse_series(const Json& json, const Where& where) {
     if (!json.is_object()) where.refuse(json, "an object");
@@ -83,6 +92,8 @@ Series parse_series(const Json& json, const Where& where) {
         const Where at(where, key);
         if (key == "name") {
             decode(value, at, series.name);
+        } else if (key == "tolerance") {
+            series.tolerance = read_tolerance(value, at);
         } else if (is_axis_key(key)) {
             const Axis axis = parse_axis_json(key, value, at);
             refuse_second_axis(series, axis, at);
@@ -97,6 +108,7 @@ Series parse_series(const Json& json, const Where& where) {
 Json series_to_json(const Series& series) {
     Json json = Json::object();
     json["name"] = series.name;
+    if (series.tolerance) json["tolerance"] = percent_text(*series.tolerance);
     for (const Axis& axis : series.axes) {
         Json& points = json[axis_key(axis.names)] = Json::array();
         for (const auto& point : axis.points)

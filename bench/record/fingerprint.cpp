@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "core/input/printable.h"
 #include "core/input/json.h"
+#include "core/input/printable.h"
 
 namespace ptb {
 namespace {

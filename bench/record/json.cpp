@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/input/printable.h"
 #include "bench/record/status.h"
+#include "core/input/printable.h"
 
 namespace ptb {
 namespace {

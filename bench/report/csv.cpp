@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "bench/plan/config.h"
-#include "core/input/printable.h"
 #include "bench/record/status.h"
 #include "bench/report/words.h"
+#include "core/input/printable.h"
 
 namespace ptb {
 namespace {

@@ -57,6 +57,12 @@ std::vector<double> samples_to_come(const RunPlan& plan, const Forecast& forecas
 
 }  // namespace
 
+Record ask(DeviceWorker& worker, const Request& request, const Channel::Progress& progress) {
+    if (worker.ready()) return record_of(request.params, worker.request(request, progress));
+    const std::string& why = worker.given_up();
+    return record(request.params, Status::skipped, why.empty() ? interrupted_reason : why);
+}
+
 double steady_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -106,12 +112,7 @@ Record Coordinator::run_case(std::size_t index, const Forecast& forecast, const 
     const Case& c = plan_.cases[index];
     const std::string reason = not_to_try(c, forecast);
     if (!reason.empty()) return record(c, Status::skipped, reason);
-    DeviceWorker& worker = worker_of(c.device);
-    if (!worker.ready()) {
-        const std::string& why = worker.given_up();
-        return record(c, Status::skipped, why.empty() ? interrupted_reason : why);
-    }
-    return record_of(c, worker.request(run_request(index), progress));
+    return ask(worker_of(c.device), run_request(index), progress);
 }
 
 /// Only one device's worker lives at a time: an idle one still holds memory, threads and clocks.

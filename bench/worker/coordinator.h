@@ -27,6 +27,9 @@ struct RunPlan {
     std::map<Case, std::string> image_files;
 };
 
+/// The record that answers a request to run a case, or the one that says why there is none.
+Record ask(DeviceWorker& worker, const Request& request, const Channel::Progress& progress);
+
 /// Seconds since any fixed moment.
 using SecondsNow = std::function<double()>;
 double steady_seconds();

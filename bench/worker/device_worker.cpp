@@ -11,11 +11,12 @@ bool is_ready(const Reply& reply) {
     return reply.end == Reply::End::answered && reply.response.kind == Response::Kind::ready;
 }
 
-void check_version(const Response& ready) {
-    if (ready.protocol == protocol_version) return;
+void check_version(const Response& answer) {
+    if (answer.protocol == protocol_version) return;
     throw VersionMismatch(fmt::format(
         "the worker (ptbench {}) speaks protocol {}, this ptbench speaks {}; use the same version",
-        ready.tool_version, ready.protocol, protocol_version));
+        answer.tool_version.empty() ? "of another version" : answer.tool_version, answer.protocol,
+        protocol_version));
 }
 
 }  // namespace
@@ -23,10 +24,8 @@ void check_version(const Response& ready) {
 bool DeviceWorker::ready() {
     while (!channel_ && given_up_.empty()) {
         const Reply reply = open();
-        if (is_ready(reply)) {
-            check_version(reply.response);
-            return true;
-        }
+        if (reply.end == Reply::End::answered) check_version(reply.response);
+        if (is_ready(reply)) return true;
         channel_.reset();
         if (reply.end == Reply::End::interrupted) return false;
         judge(reply);

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "core/input/printable.h"
 #include "bench/worker/channel.h"
+#include "core/input/printable.h"
 
 namespace ptb {
 namespace {

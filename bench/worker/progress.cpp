@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 
-#include "core/input/printable.h"
 #include "bench/record/status.h"
+#include "core/input/printable.h"
 
 namespace ptb {
 namespace {

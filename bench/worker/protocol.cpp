@@ -8,7 +8,7 @@
 namespace ptb {
 namespace {
 
-constexpr const char* request_kinds[] = {"open", "estimate", "run"};
+constexpr const char* request_kinds[] = {"open", "estimate", "run", "round"};
 constexpr const char* response_kinds[] = {"ready", "estimate", "progress", "record", "failed"};
 
 template <class Kind, std::size_t N>
@@ -35,7 +35,8 @@ inline constexpr auto fields<Request> = std::make_tuple(required("kind", &Reques
                                                         field("measure", &Request::measure),
                                                         field("params", &Request::params),
                                                         field("time_left_s", &Request::time_left_s),
-                                                        field("image_file", &Request::image_file));
+                                                        field("image_file", &Request::image_file),
+                                                        field("samples", &Request::samples));
 
 template <>
 inline constexpr auto fields<Response> = std::make_tuple(

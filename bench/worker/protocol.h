@@ -9,23 +9,24 @@
 namespace ptb {
 
 /// Version of the line protocol between coordinator and worker; a mismatch ends the run with exit code 7.
-inline constexpr int protocol_version = 1;
+inline constexpr int protocol_version = 2;
 
 /// Coordinator to worker, one JSON object a line. The first line is always `open`.
 struct Request {
-    enum class Kind { open, estimate, run };
+    enum class Kind { open, estimate, run, round };
     Kind kind = Kind::open;
     int protocol = protocol_version;
     MeasureOptions measure;             ///< open
-    Case params;                        ///< estimate, run
+    Case params;                        ///< estimate, run, round
     std::optional<double> time_left_s;  ///< run: what is left of the budget for this case
     std::string image_file;             ///< run: write the case's picture here, or empty
+    int samples = 0;                    ///< round: how many
     bool operator==(const Request&) const = default;
 };
 
 /// Worker to coordinator. `open` is answered by `ready` or `failed`; `estimate` by `estimate` or `failed`;
-/// `run` by any number of `progress` and one `record`. A worker that is alive sends progress at least once a
-/// pass.
+/// `run` by any number of `progress` and one `record`; `round`, some samples of a case without its warm-up,
+/// too. A worker that is alive sends progress at least once a pass.
 struct Response {
     enum class Kind { ready, estimate, progress, record, failed };
     Kind kind = Kind::ready;

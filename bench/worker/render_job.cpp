@@ -3,8 +3,8 @@
 #include "bench/measure/sampler.h"
 #include "bench/plan/data_dir.h"
 #include "bench/plan/scene_file.h"
-#include "core/input/usage_error.h"
 #include "core/image/image_io.h"
+#include "core/input/usage_error.h"
 #include "core/integrator/registry.h"
 
 namespace ptb {

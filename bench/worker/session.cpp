@@ -42,7 +42,7 @@ class DeviceSession : public Session {
     Response answered(const Request& request, const Send& send) {
         if (request.kind == Request::Kind::open) return open(request);
         if (!bench_) return failed("the first request must be open");
-        return request.kind == Request::Kind::estimate ? estimate(request) : run(request, send);
+        return request.kind == Request::Kind::estimate ? estimate(request) : measure(request, send);
     }
 
     Response open(const Request& request) {
@@ -63,7 +63,7 @@ class DeviceSession : public Session {
         return response;
     }
 
-    Response run(const Request& request, const Send& send) {
+    Response measure(const Request& request, const Send& send) {
         std::string last_stage;
         std::int64_t last_ns = 0;
         const auto progress = [&](const std::string& stage, double done) {
@@ -78,9 +78,10 @@ class DeviceSession : public Session {
         };
         Response response;
         response.kind = Response::Kind::record;
-        response.record =
-            bench_->run(request.params, request.time_left_s.value_or(std::numeric_limits<double>::infinity()),
-                        request.image_file, progress);
+        const double time_left_s = request.time_left_s.value_or(std::numeric_limits<double>::infinity());
+        response.record = request.kind == Request::Kind::round
+                              ? bench_->round(request.params, request.samples, progress)
+                              : bench_->run(request.params, time_left_s, request.image_file, progress);
         response.device_failed = response.record->status == Status::runtime;
         return response;
     }

@@ -346,4 +346,20 @@ Record Workbench::run(const Case& params, double time_left_s, const std::string&
     return record;
 }
 
+Record Workbench::round(const Case& params, int samples, const Stage& progress) {
+    const Job job = resolve(params);
+    Record record;
+    record.params = params;
+    record.validation = validated(job, progress);
+    const auto render = make(job, job.work);
+    for (int i = 0; i < samples; ++i)
+        record.samples.push_back(timed_render(*render, {cutters_[job.key()], device_.info.timer_resolution_ns,
+                                                        stage(progress, "sample")})
+                                     .time);
+    check_film_of(job, render->read_film(), *record.validation);
+    const bool valid = record.validation->valid;
+    conclude(record, valid ? Status::ok : Status::invalid, record.validation->reason);
+    return record;
+}
+
 }  // namespace ptb

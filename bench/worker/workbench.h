@@ -36,6 +36,9 @@ class Workbench {
     /// Runs one case to its record. Never throws for what a device, driver or kernel does.
     Record run(const Case& params, double time_left_s, const std::string& image_file, const Stage& progress);
 
+    /// Some samples of a case that `run` found valid; their film is checked too. Throws what goes wrong.
+    Record round(const Case& params, int samples, const Stage& progress);
+
     /// Device time of one pixel sample of this case, ns. Throws what goes wrong.
     double estimate(const Case& params);
 

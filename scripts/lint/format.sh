@@ -13,4 +13,4 @@ if ! command -v $format >/dev/null; then
 fi
 arguments=(--dry-run -Werror)
 if [ "${1-}" = --fix ]; then arguments=(-i); fi
-find core bench tests \( -name '*.cpp' -o -name '*.h' -o -name '*.inl' \) -print0 | xargs -0 $format "${arguments[@]}"
+find core bench tests scripts \( -name '*.cpp' -o -name '*.h' -o -name '*.inl' \) -print0 | xargs -0 $format "${arguments[@]}"

@@ -4,14 +4,16 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import unittest
 
-from ptbench import SOURCE, CliTest
+from ptbench import BINARY, ONE, SOURCE, CliTest
 
 DOCUMENTS = ("README.md", "CONTRIBUTING.md")
 TREE = pathlib.Path(os.environ["PTB_BINARY_DIR"]).parent
-SHORT = ("list", "render", "--dry-run", "--dump-config", "--csv")  # these run for real
+SMALL = ("--kernel", "pt", "--size", "16", "--spp", "2", "--path-length", "2", "--wg", "implicit")
+SHORT = ("compare ", "baseline", "list", "render", "--dry-run", "--dump-config", "--csv")  # these run for real
 
 
 def commands():
@@ -28,7 +30,9 @@ class Readme(CliTest):
         words = shlex.split(redirected[1] if redirected else line)[1:]
         if "gpu" in words:
             words[words.index("gpu")] = "cpu"  # this test has none
-        if not any(part in line for part in SHORT):
+        if words[0] == "ab":
+            words = [BINARY if word.endswith("bin/ptbench") else word for word in words] + [*SMALL, "--tolerance", "100%"]
+        elif not any(part in line for part in SHORT):
             words.append("--dry-run")
         result = self.run_ok(*words, POCL_DEVICES="pthread")
         if redirected:
@@ -38,7 +42,15 @@ class Readme(CliTest):
         run = subprocess.run(line, shell=True, cwd=SOURCE, capture_output=True, text=True, check=False)
         self.assertEqual(run.returncode, 0, f"{line}\n{run.stdout}{run.stderr}")
 
+    def put_down_what_commands_name(self):
+        self.run_ok(*ONE, "--json", "old.json", "-q")
+        for name in ("new", "a1", "a2", "a3", "b1", "b2", "b3"):
+            shutil.copy(self.scratch.work / "old.json", self.scratch.work / f"{name}.json")
+        for name in ("old", "new"):
+            shutil.copytree(SOURCE / "kernels", self.scratch.work / name / "kernels")
+
     def test_every_command_runs(self):
+        self.put_down_what_commands_name()
         seen = set()
         for line in commands():
             with self.subTest(line):

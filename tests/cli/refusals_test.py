@@ -18,7 +18,7 @@ class Flags(CliTest):
         self.refused("list", "--jsn", says=["--jsn", "did you mean --json?"])
 
     def test_an_unknown_command_gets_the_nearest_match(self):
-        self.refused("rendr", says=["rendr", "did you mean render?", "run, list, render"])
+        self.refused("rendr", says=["rendr", "did you mean render?", "run, list, render, compare, ab"])
         self.refused("list", "extra", says=['unexpected word "extra"'])
         self.refused("--spp", "1", "2", says=['unexpected word "2"'])
 

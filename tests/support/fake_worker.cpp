@@ -65,7 +65,8 @@ void answer_open() {
     misbehave(how);
     Response response;
     response.tool_version = "0.0";
-    if (how == "refuse") {
+    if (how == "refuse-protocol") response.protocol = protocol_version - 1;
+    if (how.starts_with("refuse")) {
         response.kind = Response::Kind::failed;
         response.reason = "no such device";
     }
@@ -89,11 +90,28 @@ void answer_run(const Request& request) {
     response.kind = Response::Kind::record;
     response.record.emplace();
     response.record->params = request.params;
-    response.record->status = Status::ok;
+    response.record->status = request.params.scene == "unstable" ? Status::unstable : Status::ok;
     response.record->statistics.emplace();
     response.record->statistics->n = ::getpid();  // lets a test see which process answered
     response.record->statistics->max_ns = request.time_left_s.value_or(-1);
     response.record->statistics->timer_reason = request.image_file;
+    say(to_line(response));
+}
+
+/// Each sample takes 1 ms by the device's clock, 2 % more in the scene "slower"; some by no clock at all.
+void answer_round(const Request& request) {
+    const std::string& scene = request.params.scene;
+    misbehave(scene == "dies-in-a-round" ? "abort" : "");
+    Response response;
+    response.kind = Response::Kind::record;
+    response.record.emplace();
+    response.record->params = request.params;
+    response.record->status = scene == "wrong-in-a-round" ? Status::invalid : Status::ok;
+    TimeSample sample;
+    sample.kernel_ns = scene == "slower" ? 1'020'000 : 1'000'000;
+    sample.host_ns = 3'000'000;
+    if (scene == "faulty-timer") sample.cause = "timer_fault";
+    response.record->samples.assign(static_cast<std::size_t>(request.samples), sample);
     say(to_line(response));
 }
 
@@ -105,6 +123,8 @@ void answer(const Request& request) {
             return answer_estimate(request);
         case Request::Kind::run:
             return answer_run(request);
+        case Request::Kind::round:
+            return answer_round(request);
     }
 }
 

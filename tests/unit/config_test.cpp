@@ -43,7 +43,8 @@ TEST(Config, every_key_is_read) {
                         {{{"kernel"}, {{"pt"}}},
                          {{"spp"}, {{"1"}, {"2"}}},
                          {{"size"}, {{"1"}, {"2"}, {"4"}}},
-                         {{"path_length", "lanes"}, {{"5", "auto"}, {"128", "8"}}}}}};
+                         {{"path_length", "lanes"}, {{"5", "auto"}, {"128", "8"}}}},
+                        {}}};
     EXPECT_EQ(config, expected);
 }
 

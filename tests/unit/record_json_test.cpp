@@ -10,9 +10,9 @@
 #include "bench/record/file.h"
 #include "bench/record/journal.h"
 #include "bench/record/json.h"
-#include "core/input/printable.h"
 #include "bench/record/result_file.h"
 #include "bench/record/status.h"
+#include "core/input/printable.h"
 
 namespace ptb {
 namespace {

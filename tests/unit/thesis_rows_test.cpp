@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "core/input/usage_error.h"
 #include "bench/report/published.h"
+#include "core/input/usage_error.h"
 
 namespace ptb {
 namespace {

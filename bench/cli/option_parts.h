@@ -1,0 +1,25 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "bench/cli/options.h"
+
+namespace ptb {
+
+// Groups of flags that several commands have.
+
+/// A list fed by repeating the flag; brackets and commas in it are left alone.
+void list_option(CLI::App& app, const std::string& flags, std::vector<std::string>& values, const char* help);
+/// --kernel, --spp, ...; `from_environment`: PTBENCH_KERNEL, ... stand in.
+void add_axis_flags(CLI::App& app, std::map<std::string, std::string>& values, bool from_environment);
+void add_common_flags(CLI::App& app, CommonFlags& flags);
+
+// The commands whose grammar is not in options.cpp.
+void add_compare_flags(CLI::App& app, CompareFlags& flags);
+void add_ab_flags(CLI::App& app, AbFlags& flags);
+
+}  // namespace ptb

@@ -1,0 +1,72 @@
+#include "bench/compare/session.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/compare/row.h"
+#include "bench/measure/statistics.h"
+#include "bench/record/json.h"
+
+namespace ptb {
+namespace {
+
+/// Samples without a flag, while those are at least half; by the clock that the record believes.
+std::vector<double> times_of(const Record& record) {
+    const bool host = record.statistics->timer == "host";
+    std::vector<double> clean, all;
+    for (const TimeSample& sample : record.samples) {
+        const auto ns = static_cast<double>(host ? sample.host_ns : sample.kernel_ns);
+        if (!(ns > 0)) continue;
+        all.push_back(ns);
+        if (sample.cause.empty()) clean.push_back(ns);
+    }
+    return 2 * clean.size() >= all.size() ? clean : all;
+}
+
+SessionCase case_of(const ResultFile& result, const Record& record) {
+    DeviceInfo device;
+    for (const DeviceInfo& each : result.devices)
+        if (each.key == record.params.device) device = each;
+    SessionCase c;
+    c.device = record.params.device;
+    c.name = case_text(record.params);
+    c.params = record.params;
+    c.no_time = record.status == Status::ok ? "" : record.reason;
+    c.fingerprint = {{"device", device.name}, {"driver", device.driver_version}, {"CPU", result.host.cpu}};
+    if (record.build) c.fingerprint.emplace_back("kernel hash", record.build->kernel_hash);
+    if (record.build) c.fingerprint.emplace_back("build options", record.build->options);
+    if (!record.statistics) {
+        if (c.no_time.empty()) c.no_time = "validated only";
+        return c;
+    }
+    c.fingerprint.emplace_back("timer", record.statistics->timer);
+    c.times_ns = times_of(record);
+    c.low_n = record.statistics->stop_reason == "low_n";
+    if (c.times_ns.empty() && c.no_time.empty()) c.no_time = "no sample has a time";
+    return c;
+}
+
+}  // namespace
+
+double SessionCase::median_ns() const {
+    auto sorted = times_ns;
+    std::sort(sorted.begin(), sorted.end());
+    return quantile(sorted, 0.5);
+}
+
+Session session_of(const ResultFile& result, const std::string& file) {
+    Session session{file, result.run.started_at, {}};
+    for (const Record& record : result.cases) session.cases.push_back(case_of(result, record));
+    return session;
+}
+
+Session read_session(const std::filesystem::path& file) {
+    const std::string origin = file.string();
+    const Json json = parse_json(read_text(file), origin);
+    const bool other = json.is_object() && !json.contains("schema") && json.contains("benchmarks");
+    if (other && json.contains("context")) return google_benchmark_session(json, origin);
+    if (other && json.contains("devices")) return nvbench_session(json, origin);
+    return session_of(result_from_json(json, origin), origin);
+}
+
+}  // namespace ptb

@@ -1,0 +1,152 @@
+// Files of other tools, shortened from what those write.
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "bench/compare/gate_file.h"
+#include "bench/compare/session.h"
+#include "core/input/usage_error.h"
+
+namespace ptb {
+namespace {
+
+struct Readers : testing::Test {
+    std::filesystem::path file =
+        std::filesystem::path(testing::TempDir()) / ("ptb-readers-" + std::to_string(::getpid()) + ".json");
+    ~Readers() override { std::filesystem::remove(file); }
+    Session read(const std::string& text) {
+        std::ofstream(file) << text;
+        return read_session(file);
+    }
+    std::string error_of(const std::string& text) {
+        try {
+            read(text);
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return "no error";
+    }
+};
+
+constexpr auto google = R"({
+  "context": {"date": "2025-01-02T03:04:05+00:00", "host_name": "node7", "executable": "./bench", "num_cpus": 8,
+              "mhz_per_cpu": 3000, "cpu_scaling_enabled": false, "caches": [], "load_avg": [0.5],
+              "library_build_type": "release"},
+  "benchmarks": [
+    {"name": "BM_Copy/8", "family_index": 0, "run_name": "BM_Copy/8", "run_type": "iteration", "repetitions": 2,
+     "repetition_index": 0, "threads": 1, "iterations": 1000, "real_time": 2.5, "cpu_time": 2.4, "time_unit": "us"},
+    {"name": "BM_Copy/8", "run_name": "BM_Copy/8", "run_type": "iteration", "repetitions": 2,
+     "repetition_index": 1, "iterations": 1000, "real_time": 3.5, "cpu_time": 3.4, "time_unit": "us"},
+    {"name": "BM_Copy/8_mean", "run_name": "BM_Copy/8", "run_type": "aggregate", "aggregate_name": "mean",
+     "aggregate_unit": "time", "iterations": 2, "real_time": 3.0, "cpu_time": 2.9, "time_unit": "us"},
+    {"name": "BM_Broken", "run_name": "BM_Broken", "run_type": "iteration", "error_occurred": true,
+     "error_message": "no file", "iterations": 0, "real_time": 0, "cpu_time": 0, "time_unit": "ns"}
+  ]})";
+
+TEST_F(Readers, google_benchmarks_repetitions_are_samples) {
+    const Session session = read(google);
+    ASSERT_EQ(session.cases.size(), 2u);
+    EXPECT_EQ(session.cases[0].name, "BM_Copy/8");
+    EXPECT_EQ(session.cases[0].times_ns, (std::vector<double>{2500, 3500}));
+    EXPECT_EQ(session.cases[0].fingerprint[0], (std::pair<std::string, std::string>("host", "node7")));
+    EXPECT_EQ(session.cases[1].no_time, "no file");
+    EXPECT_EQ(session.started_at, "2025-01-02T03:04:05+00:00");
+}
+
+TEST_F(Readers, google_benchmarks_median_stands_in_where_there_are_aggregates_only) {
+    const Session session = read(R"({"context": {}, "benchmarks": [
+        {"name": "A_mean", "run_name": "A", "run_type": "aggregate", "aggregate_name": "mean", "real_time": 7,
+         "time_unit": "ms"},
+        {"name": "A_median", "run_name": "A", "run_type": "aggregate", "aggregate_name": "median", "real_time": 6,
+         "time_unit": "ms"}]})");
+    ASSERT_EQ(session.cases.size(), 1u);
+    EXPECT_EQ(session.cases[0].times_ns, std::vector<double>{6e6});
+}
+
+constexpr auto nvbench = R"({
+  "meta": {"argv": ["./bench"], "version": {"json": {"major": 1, "minor": 1, "patch": 0, "string": "1.1.0"}}},
+  "devices": [{"id": 0, "name": "NVIDIA H200", "sm_version": 900, "ptx_version": 900}],
+  "benchmarks": [{"name": "copy", "index": 0, "min_samples": 10, "devices": [0], "axes": [],
+    "states": [
+      {"name": "Device=0 Size=2^20", "min_samples": 10, "device": 0, "type_config_index": 0,
+       "axis_values": [{"name": "Size", "type": "int64", "value": "1048576"}],
+       "summaries": [
+         {"tag": "nv/cold/sample_size", "name": "Samples", "hint": "sample_size",
+          "data": [{"name": "value", "type": "int64", "value": "112"}]},
+         {"tag": "nv/cold/time/gpu/mean", "name": "GPU Time", "hint": "duration",
+          "data": [{"name": "value", "type": "float64", "value": "1.25e-05"}]}],
+       "is_skipped": false},
+      {"name": "Device=0 Size=2^40", "device": 0, "summaries": null, "is_skipped": true,
+       "skip_reason": "out of memory"}]}]})";
+
+TEST_F(Readers, nvbenchs_mean_is_the_one_sample) {
+    const Session session = read(nvbench);
+    ASSERT_EQ(session.cases.size(), 2u);
+    EXPECT_EQ(session.cases[0].name, "copy Device=0 Size=2^20");
+    ASSERT_EQ(session.cases[0].times_ns.size(), 1u);
+    EXPECT_NEAR(session.cases[0].times_ns[0], 12500, 1e-6);
+    EXPECT_EQ(session.cases[0].fingerprint[0].second, "NVIDIA H200");
+    EXPECT_EQ(session.cases[1].no_time, "out of memory");
+}
+
+TEST_F(Readers, what_is_none_of_these_is_refused_in_one_line) {
+    for (const char* const text :
+         {"", "[]", "{}", "3", R"({"schema": "ptbench.v9"})", R"({"benchmarks": 3, "context": {}})",
+          R"({"benchmarks": [], "context": 3})", R"({"benchmarks": [{}], "context": {}})",
+          R"({"benchmarks": [{"name": "x", "real_time": -1}], "context": {}})",
+          R"({"benchmarks": [{"name": "x", "real_time": 1, "time_unit": "years"}], "context": {}})",
+          R"({"benchmarks": {}, "devices": []})", R"({"benchmarks": [{"name": 3}], "devices": []})"}) {
+        const std::string error = error_of(text);
+        EXPECT_NE(error, "no error") << text;
+        EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+        EXPECT_EQ(error.find(file.string()), 0u) << error;
+    }
+}
+
+GateFile gate_file() {
+    GateFile gate;
+    GateCase c;
+    c.base.device = c.now.device = "pocl:0";
+    c.base.kernel = c.now.kernel = "pt";
+    c.base.scene = c.now.scene = "thesis";
+    c.base.size = c.now.size = {8, 8};
+    c.timer = "event";
+    const Round round{{100, 101, 102}, {200, 201, 202}};
+    c.screen.assign(10, Block{{round, round, round, round}});
+    gate.cases = {c};
+    gate.base_records.resize(1);
+    gate.now_records.resize(1);
+    gate.base_records[0].params = gate.now_records[0].params = c.base;
+    gate.findings = decide(gate.cases);
+    return gate;
+}
+
+TEST_F(Readers, a_gate_reads_back_to_the_same_value) {
+    const GateFile gate = gate_file();
+    write_gate(file, gate);
+    EXPECT_EQ(read_gate(file), gate);
+    EXPECT_EQ(rows_of(gate).at(0).name, "pt thesis 8x8 spp 1 length 128");
+}
+
+TEST_F(Readers, a_gate_that_cannot_be_decided_is_refused) {
+    const auto refused = [&](const auto& change) {
+        GateFile gate = gate_file();
+        change(gate);
+        write_gate(file, gate);
+        EXPECT_THROW(read_gate(file), UsageError);
+    };
+    refused([](GateFile& g) { g.cases[0].screen[3].rounds.pop_back(); });
+    refused([](GateFile& g) { g.cases[0].screen[3].rounds[2].kernel_ns.clear(); });
+    refused([](GateFile& g) { g.cases[0].screen[3].rounds[2].kernel_ns[0] = 0; });
+    refused([](GateFile& g) { g.cases[0].screen.push_back(g.cases[0].screen[0]); });
+    refused([](GateFile& g) { g.cases[0].timer = "sun"; });
+    refused([](GateFile& g) { g.cases[0].tolerance = 0; });
+    refused([](GateFile& g) { g.findings.clear(); });
+    refused([](GateFile& g) { g.now_records.clear(); });
+    read(google).cases.clear();
+    EXPECT_THROW(read_gate(file), UsageError);
+}
+
+}  // namespace
+}  // namespace ptb
