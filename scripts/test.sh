@@ -14,7 +14,7 @@ cd "$root"
 
 options=()
 if [ -n "${PTB_STRICT-}" ]; then options+=(-DCMAKE_CXX_FLAGS=-Werror); fi
-if command -v ccache >/dev/null; then options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+if command -v ccache >/dev/null; then options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DPTBENCH_PCH=OFF); fi
 
 sanitized=''
 if [ $# -eq 0 ]; then

@@ -22,7 +22,11 @@ if [ ${#files[@]} -eq 0 ]; then
         if grep -qF "/$file\"" "$build/compile_commands.json"; then files+=("$file"); fi
     done < <(find core bench -name '*.cpp' | sort)
 fi
+# GCC's precompiled headers are not for clang.
+commands=$(mktemp -d)
+trap 'rm -r "$commands"' EXIT
+sed -E 's| -Winvalid-pch -include [^ ]*cmake_pch.hxx||' "$build/compile_commands.json" >"$commands/compile_commands.json"
 # Warnings are GCC's business; what clang does not know of GCC's flags is nobody's.
 printf '%s\0' "${files[@]}" |
-    xargs -0 -n 2 -P "$(nproc)" "$tidy" -p "$build" --quiet --extra-arg=-Wno-everything
+    xargs -0 -n 2 -P "$(nproc)" "$tidy" -p "$commands" --quiet --extra-arg=-Wno-everything
 echo "${#files[@]} files"
