@@ -34,6 +34,9 @@ clang-14                lint: compiles every kernel
 clang-tidy-14           lint: C++
 clang-format-14         lint: layout
 shellcheck              lint: scripts
+groff-base              tests of the man page
+zsh                     tests of its completions
+lintian                 tests of the packages
 "
 
 is_installed() {

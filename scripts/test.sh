@@ -23,6 +23,6 @@ if [ $# -eq 0 ]; then
 fi
 quietly cmake --preset release -DPTBENCH_TESTS=ON -DPTBENCH_MICRO=ON "-DPTBENCH_SANITIZED_TREE=$sanitized" ${options[@]+"${options[@]}"}
 cmake --build build/release
-if [ -n "$sanitized" ]; then cmake --build build/asan --target unit_tests fake_worker ptbench; fi
+if [ -n "$sanitized" ]; then cmake --build build/asan --target unit_tests fake_worker ptbench ptbench_manuals; fi
 
 exec ctest --test-dir build/release --output-on-failure --parallel "$(nproc)" "$@"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "bench/record/record.h"
@@ -19,6 +21,23 @@ inline constexpr int not_comparable = 7;
 inline constexpr int no_device = 77;  ///< the skip code of CTest and automake
 inline constexpr int interrupted = 130;
 }  // namespace exit_codes
+
+struct ExitCodeMeaning {
+    int code;
+    std::string_view meaning;
+};
+inline constexpr std::array exit_code_meanings{
+    ExitCodeMeaning{exit_codes::done, "done"},
+    ExitCodeMeaning{exit_codes::failed, "a case failed"},
+    ExitCodeMeaning{exit_codes::usage, "usage"},
+    ExitCodeMeaning{exit_codes::regressed, "regressed"},
+    ExitCodeMeaning{exit_codes::wrong_image, "a wrong image"},
+    ExitCodeMeaning{exit_codes::inconclusive, "inconclusive"},
+    ExitCodeMeaning{exit_codes::coverage_lost, "coverage lost"},
+    ExitCodeMeaning{exit_codes::not_comparable, "not comparable"},
+    ExitCodeMeaning{exit_codes::no_device, "no OpenCL device"},
+    ExitCodeMeaning{exit_codes::interrupted, "interrupted"},
+};
 
 /// What a finished run is judged by.
 struct Outcome {

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "bench/cli/exit_code.h"
 #include "bench/cli/option_parts.h"
 #include "bench/cli/value_checks.h"
 #include "bench/plan/limits.h"
@@ -20,10 +21,15 @@ namespace {
 constexpr auto description =
     "ptbench: how fast OpenCL devices trace light.\n"
     "Without a command it runs a config; `ptbench run` is the same.\n";
-constexpr auto footer =
-    "Options of a run can also be set as PTBENCH_<OPTION>, e.g. PTBENCH_CONFIG=thesis.\n"
-    "Exit codes: 0 done, 1 a case failed, 2 usage, 3 regressed, 4 a wrong image, 5 inconclusive, "
-    "6 coverage lost, 7 not comparable, 77 no OpenCL device, 130 interrupted.";
+
+std::string footer() {
+    std::string codes;
+    for (const auto& [code, meaning] : exit_code_meanings) {
+        codes += fmt::format("{}{} {}", codes.empty() ? "" : ", ", code, meaning);
+    }
+    return "Options of a run can also be set as PTBENCH_<OPTION>, e.g. PTBENCH_CONFIG=thesis.\nExit codes: " +
+           codes + ".";
+}
 
 /// Axis name and its flag, in the order of --help.
 struct AxisFlag {
@@ -147,7 +153,7 @@ struct Grammar {
     bool list_flag = false;
 
     explicit Grammar(Options& options) {
-        app.footer(footer);
+        app.footer(footer());
         add_run(app, options.run, list_flag);
         add_common_flags(app, options.common);
         list = app.add_subcommand("list", "devices, kernels, scenes and configs");
@@ -189,13 +195,41 @@ struct Grammar {
     }
 };
 
+std::vector<std::string> flags_of(const CLI::Option& option) {
+    std::vector<std::string> flags;
+    for (const auto& name : option.get_snames()) flags.push_back("-" + name);
+    for (const auto& name : option.get_lnames()) flags.push_back("--" + name);
+    return flags;
+}
+
 std::vector<std::string> known_flags(const CLI::App& app) {
     std::vector<std::string> flags;
     for (const CLI::Option* each : app.get_options()) {
-        for (const auto& name : each->get_lnames()) flags.push_back("--" + name);
-        for (const auto& name : each->get_snames()) flags.push_back("-" + name);
+        for (auto& flag : flags_of(*each)) flags.push_back(std::move(flag));
     }
     return flags;
+}
+
+/// CLI11 says "TEXT", "TEXT:DIR" or "TEXT:{auto,always,never}".
+OptionText option_text(const CLI::Option& option) {
+    OptionText text;
+    text.flags = flags_of(option);
+    text.help = option.get_description();
+    text.variable = option.get_envname();
+    if (option.get_expected_max() == 0) return text;
+    const std::string type = option.get_type_name();
+    const auto colon = type.find(':');
+    text.value = type.substr(0, colon);
+    const std::string check = colon == std::string::npos ? "" : type.substr(colon + 1);
+    text.is_folder = check == "DIR";
+    if (check.starts_with("{")) text.choices = CLI::detail::split(check.substr(1, check.size() - 2), ',');
+    return text;
+}
+
+CommandText command_text(const CLI::App& app) {
+    CommandText text{app.get_name(), app.get_description(), {}};
+    for (const CLI::Option* each : app.get_options()) text.options.push_back(option_text(*each));
+    return text;
 }
 
 void refuse_leftovers(const Grammar& grammar, const std::string& first_word) {
@@ -263,6 +297,16 @@ Options parse_options(std::vector<std::string> arguments) {
     }
     if (!options.text.empty()) options.command = Options::Command::text;
     return options;
+}
+
+std::vector<CommandText> command_texts() {
+    Options options;
+    const Grammar grammar(options);
+    std::vector<CommandText> texts{command_text(grammar.app)};
+    for (const CLI::App* command : grammar.app.get_subcommands({})) {
+        if (!command->get_group().empty()) texts.push_back(command_text(*command));
+    }
+    return texts;
 }
 
 std::vector<std::string> split_words(const std::string& text) { return CLI::detail::split_up(text); }

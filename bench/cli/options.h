@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/cli/command_text.h"
 #include "bench/plan/config.h"
 
 namespace ptb {
@@ -93,6 +94,9 @@ struct Options {
 /// Parses what follows the program's name; PTBENCH_<OPTION> stands in for options of `run` that are not
 /// given. Throws UsageError, with the nearest match for a flag that does not exist.
 Options parse_options(std::vector<std::string> arguments);
+
+/// What --help says, the program itself first, then its commands.
+std::vector<CommandText> command_texts();
 
 /// The config that the flags name, or else the `earlier` run's, changed as the flags say.
 Config configured(const RunFlags& flags, const CommonFlags& common,

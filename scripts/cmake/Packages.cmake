@@ -1,0 +1,36 @@
+# `cpack` in the build folder: ptbench (program, configs, references, man page, completions) and libptbench-dev.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "ptbench maintainers <maintainers@ptbench.org>" CACHE STRING "Maintainer of the packages")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "benchmark of OpenCL devices by path tracing")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL runtime development)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION utils)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME ptbench)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "pocl-opencl-icd | opencl-icd")
+set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
+  "Sweeps devices, samples per pixel and work-groups, times kernels by\nOpenCL's events, and publishes no time without a validated image.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libptbench-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  "ocl-icd-opencl-dev, opencl-clhpp-headers, libfmt-dev, nlohmann-json3-dev, libopenexr-dev, libpng-dev")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Static library, headers and CMake package of the tracer without the runner.")
+
+# What Debian asks of every package.
+string(TIMESTAMP today "%a, %d %b %Y 00:00:00 +0000" UTC)
+foreach(package ptbench libptbench-dev)
+  set(folder ${PROJECT_BINARY_DIR}/package/${package})
+  configure_file(${PROJECT_SOURCE_DIR}/scripts/cmake/changelog.in ${folder}/changelog @ONLY)
+  execute_process(COMMAND gzip -9nf ${folder}/changelog)
+  if(package STREQUAL ptbench)
+    set(component runtime)
+  else()
+    set(component development)
+  endif()
+  install(FILES ${folder}/changelog.gz ${PROJECT_SOURCE_DIR}/scripts/cmake/copyright
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
+endforeach()
+include(CPack)
