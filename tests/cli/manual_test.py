@@ -1,5 +1,6 @@
 """The man page and the completions know what --help knows, and their readers take them."""
 
+import gzip
 import os
 import pathlib
 import re
@@ -9,6 +10,7 @@ import unittest
 from ptbench import CliTest
 
 MANUAL = pathlib.Path(os.environ["PTB_BINARY_DIR"]).parent / "bench/manual"
+PAGE = gzip.decompress((MANUAL / "ptbench.1.gz").read_bytes()).decode()
 FLAG = re.compile(r"(?<![\w-])--?[a-zA-Z][\w-]*")
 
 
@@ -26,7 +28,7 @@ class Manual(CliTest):
         return {flag for line in lines for flag in FLAG.findall(line)}
 
     def test_the_man_page_has_every_flag_of_every_command(self):
-        page = (MANUAL / "ptbench.1").read_text().replace("\\-", "-")
+        page = PAGE.replace("\\-", "-")
         program, rest = page.split(".SH COMMANDS")
         sections = dict(re.findall(r"^\.SS (\w+)\n(.*?)(?=^\.S[SH] )", rest, re.M | re.S))
         self.assertEqual(list(sections), self.commands())
@@ -37,8 +39,7 @@ class Manual(CliTest):
                 self.assertEqual(found, self.flags(*([command] if command else [])))
 
     def test_roff_has_nothing_to_say(self):
-        run = subprocess.run(["groff", "-man", "-ww", "-z", MANUAL / "ptbench.1"], capture_output=True, text=True,
-                             check=True)
+        run = subprocess.run(["groff", "-man", "-ww", "-z"], input=PAGE, capture_output=True, text=True, check=True)
         self.assertEqual(run.stdout + run.stderr, "")
 
     def complete(self, *words):
@@ -56,6 +57,9 @@ class Manual(CliTest):
         self.assertEqual(self.complete("--"), {flag for flag in self.flags() if flag.startswith("--")})
         self.assertEqual(self.complete("--timer", ""), {"auto", "event", "host"})
         self.assertEqual(self.complete("ab", "--profile", "d"), {"dedicated"})
+
+    def test_zsh_takes_its_completions(self):
+        subprocess.run(["zsh", "-n", MANUAL / "_ptbench"], check=True)
 
 
 if __name__ == "__main__":
