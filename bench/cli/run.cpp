@@ -184,7 +184,7 @@ void report(const Options& options, const Prepared& prepared, Outputs& outputs, 
 
 int measure(const Options& options, Prepared& prepared, ResultFile& result, const Stopped& stopped) {
     const double start_s = steady_seconds();
-    const Baseline baseline(options.run);
+    Baseline baseline(options.run);
     Outputs outputs(options.run, prepared.config.name, result.run.started_at);
     prepared.plan.image_files = outputs.pictures(prepared.planned, pictured(result.cases));
     Coordinator coordinator(prepared.plan, channels(options, prepared.config, stopped), stopped);
@@ -192,10 +192,10 @@ int measure(const Options& options, Prepared& prepared, ResultFile& result, cons
     result.run.wall_s += steady_seconds() - start_s;
     result.run.coordinator_cpu_s += process_cpu_s();
     result.run.interrupted = stopped();
+    baseline.judge(result, prepared.config);
     report(options, prepared, outputs, result);
     Outcome outcome = outcome_of(result.cases);
-    baseline.conclude(result, prepared.config, options.common, outputs.stdout_is_taken() ? stderr : stdout,
-                      outcome);
+    baseline.conclude(result, options.common, outputs.stdout_is_taken() ? stderr : stdout, outcome);
     outcome.interrupted = result.run.interrupted;
     return exit_code(outcome);
 }

@@ -109,13 +109,11 @@ inline constexpr auto fields<RunInfo> = std::make_tuple(
     field("scenes", &RunInfo::scenes), field("coordinator_cpu_s", &RunInfo::coordinator_cpu_s));
 
 template <>
-inline constexpr auto fields<ResultFile> = std::make_tuple(required("run", &ResultFile::run),
-                                                           required("host", &ResultFile::host),
-                                                           required("devices", &ResultFile::devices),
-                                                           field("broken_icds", &ResultFile::broken_icds),
-                                                           field("warnings", &ResultFile::warnings),
-                                                           required("cases", &ResultFile::cases),
-                                                           field("fits", &ResultFile::fits));
+inline constexpr auto fields<ResultFile> =
+    std::make_tuple(required("run", &ResultFile::run), required("host", &ResultFile::host),
+                    required("devices", &ResultFile::devices), field("broken_icds", &ResultFile::broken_icds),
+                    field("warnings", &ResultFile::warnings), required("cases", &ResultFile::cases),
+                    field("fits", &ResultFile::fits), field("verdict", &ResultFile::verdict));
 
 template <>
 inline constexpr auto fields<MeasureOptions> = std::make_tuple(
@@ -127,8 +125,8 @@ inline constexpr auto fields<MeasureOptions> = std::make_tuple(
 /// A case is written in the words of the axes: "size": "128x128", "work_group": "implicit", "lanes": "auto".
 Json encode(const Case& c);
 void decode(const Json& json, const Where& where, Case& c);
-Json encode(const ConfigText& config);
-void decode(const Json& json, const Where& where, ConfigText& config);
+Json encode(const JsonText& text);
+void decode(const Json& json, const Where& where, JsonText& text);
 Json encode(Status status);
 void decode(const Json& json, const Where& where, Status& status);
 

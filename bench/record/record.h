@@ -119,10 +119,10 @@ struct HostInfo {
     bool operator==(const HostInfo&) const = default;
 };
 
-/// A config as --dump-config prints it; in files an object.
-struct ConfigText {
+/// A document of another schema within a file: an object there, or null when empty.
+struct JsonText {
     std::string json;
-    bool operator==(const ConfigText&) const = default;
+    bool operator==(const JsonText&) const = default;
 };
 
 /// What was run.
@@ -133,7 +133,7 @@ struct RunInfo {
     std::uint64_t seed = 0;
     bool interrupted = false;
     double wall_s = 0;                    ///< of all parts of a resumed run that came to their end
-    ConfigText settings;                  ///< what flags made of the config
+    JsonText settings;                    ///< what flags made of the config, as --dump-config
     std::vector<std::string> resumed_at;  ///< ISO 8601, UTC
     std::vector<std::string> scenes;      ///< of the plan: "furnace 9f86d081884c7d65", name and text_hash
     double coordinator_cpu_s = 0;         ///< of the process that drives the workers: what measuring costs
@@ -149,6 +149,7 @@ struct ResultFile {
     std::vector<Record> cases;
     std::vector<SppFit> fits;
     std::vector<std::string> warnings;
+    JsonText verdict;  ///< beside a baseline, as `compare --json` writes it
     bool operator==(const ResultFile&) const = default;
 };
 

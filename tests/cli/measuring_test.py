@@ -4,8 +4,8 @@ import csv
 import io
 import unittest
 
-from formats import schema_errors
 from ptbench import SOURCE, CliTest
+from validate_schema import schema_errors
 
 # As TINY, without a number of samples.
 ADAPTIVE = ("-d", "pocl:1", "--kernel", "pt", "--size", "32", "--path-length", "2", "--wg", "implicit",
