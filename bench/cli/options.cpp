@@ -135,6 +135,7 @@ void add_run(CLI::App& app, RunFlags& flags, bool& list) {
     option(app, "--resume", flags.resume, "go on with the run of this journal or result file")
         ->check(CLI::ExistingFile);
     add_baselines(app, flags);
+    flag(app, "--peaks", flags.peaks, "also measure what the devices can do at most");
     flag(app, "--dry-run", flags.dry_run, "print the plan with its predicted cost");
     flag(app, "--dump-config", flags.dump_config, "print the config and end");
     app.add_flag("-l,--list", list, "same as `ptbench list`");
@@ -152,6 +153,7 @@ struct Grammar {
         add_common_flags(app, options.common);
         list = app.add_subcommand("list", "devices, kernels, scenes and configs");
         list->add_flag("--json", options.list.json, "as JSON");
+        list->add_flag("--peaks", options.list.peaks, "also measure what the devices can do at most");
         add_common_flags(*list, options.common);
         add_render(options.render);
         add_common_flags(*render, options.common);

@@ -28,14 +28,14 @@ struct RunFlags {
     std::optional<double> max_time_s, timeout_s, max_total_time_s;
     std::optional<std::uint64_t> seed;
     std::string timer;
-    bool skip_time = false, dry_run = false, dump_config = false, no_isolate = false;
+    bool skip_time = false, dry_run = false, dump_config = false, no_isolate = false, peaks = false;
     std::string json, csv, csv_samples, md;  ///< files, or "-" for stdout
     std::string baseline, save_baseline, baseline_dir = "ptbench-baselines";
     std::string out;  ///< folder of the run's outputs, or empty for one named after time and config
 };
 
 struct ListFlags {
-    bool json = false;
+    bool json = false, peaks = false;
 };
 
 struct RenderFlags {

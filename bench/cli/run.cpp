@@ -157,6 +157,7 @@ void run_plan(const Options& options, const Prepared& prepared, const Outputs& o
               Coordinator& coordinator, ResultFile& result) {
     const Forecast forecast = coordinator.estimate();
     tell(options.common, prediction_text(forecast, prepared.plan.cases, prepared.config.max_total_time_s));
+    if (options.run.peaks) result.peaks = coordinator.peaks();
     JournalWriter journal(outputs.journal(), result);
     ProgressPrinter progress(stderr, progress_style(options.common), prepared.plan, forecast,
                              use_colour(options.common, stderr));

@@ -39,6 +39,8 @@ struct Build {
     std::uint64_t preferred_multiple = 0;
     std::uint64_t local_bytes = 0, private_bytes = 0;
     std::string log;
+    std::optional<std::uint64_t> binary_bytes;                                    ///< of the device's program
+    std::optional<std::uint64_t> registers, spill_store_bytes, spill_load_bytes;  ///< as the log tells
     bool operator==(const Build&) const = default;
 };
 
@@ -81,6 +83,17 @@ struct Validation {
     bool operator==(const Validation&) const = default;
 };
 
+/// What the timed samples of a case took from the device's energy counter.
+struct Energy {
+    std::string source;            ///< "NVML", "RAPL package-0", or empty
+    std::string reason;            ///< why there are no joules, or empty
+    double window_s = 0;           ///< from the first timed sample's begin to the last one's end
+    std::optional<double> joules;  ///< of one render, idle power included
+    std::optional<double> samples_per_joule;
+    std::optional<double> idle_w;  ///< before this worker's first case
+    bool operator==(const Energy&) const = default;
+};
+
 /// What became of one planned case. The one record type of protocol, journal and result file.
 struct Record {
     Case params;
@@ -91,6 +104,7 @@ struct Record {
     std::vector<TimeSample> samples;
     std::optional<Statistics> statistics;
     std::optional<Validation> validation;
+    std::optional<Energy> energy;
     bool operator==(const Record&) const = default;
 };
 
@@ -102,6 +116,23 @@ struct SppFit {
     double r2 = 0;        ///< share of the variance that the line explains, points weighted by 1/t^2
     std::string warning;  ///< of a bad fit: what was seen and the likely cause; else empty
     bool operator==(const SppFit&) const = default;
+};
+
+/// What a device can do at most of one thing: a rate, or the time of a launch.
+struct Peak {
+    std::string name, unit;                  ///< "fma", "GFLOP/s"
+    std::optional<double> value, low, high;  ///< median, and its exact 95 % interval
+    int n = 0;
+    std::string timer;   ///< "event" or "host"
+    std::string reason;  ///< why there is no value, or why not to trust it
+    bool operator==(const Peak&) const = default;
+};
+
+struct DevicePeaks {
+    std::string device;
+    std::string reason;  ///< why there are none
+    std::vector<Peak> peaks;
+    bool operator==(const DevicePeaks&) const = default;
 };
 
 /// One ICD that could not be used.
@@ -149,7 +180,8 @@ struct ResultFile {
     std::vector<Record> cases;
     std::vector<SppFit> fits;
     std::vector<std::string> warnings;
-    JsonText verdict;  ///< beside a baseline, as `compare --json` writes it
+    std::vector<DevicePeaks> peaks;  ///< with --peaks
+    JsonText verdict;                ///< beside a baseline, as `compare --json` writes it
     bool operator==(const ResultFile&) const = default;
 };
 
