@@ -26,6 +26,7 @@ git                     the tree that lint reads
 libbenchmark-dev        micro-benchmarks
 libgtest-dev            test framework
 libgmock-dev            test framework
+locales                 a locale whose numbers have commas
 python3                 tests of the command line
 python3-jsonschema      tests of the schemas
 oclgrind                races and bad accesses in kernels

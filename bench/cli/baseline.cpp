@@ -41,20 +41,23 @@ Baseline::Baseline(const RunFlags& flags) {
     if (!flags.save_baseline.empty()) save_as_ = new_baseline(flags.save_baseline, flags.baseline_dir);
 }
 
-void Baseline::conclude(const ResultFile& result, const Config& config, const CommonFlags& common,
-                        std::FILE* out, Outcome& outcome) const {
-    if (result.run.interrupted) return;
-    if (!save_as_.empty()) {
+void Baseline::judge(ResultFile& result, const Config& config) {
+    if (!base_ || result.run.interrupted) return;
+    const Tolerances tolerances = tolerances_of({}, config);
+    const CompareRules rules{[&](const SessionCase& c) { return tolerances.of(c.params.value_or(Case())); }};
+    comparison_ = compare_sessions({*base_}, {session_of(result, "this run")}, rules);
+    result.verdict.json = comparison_text(*comparison_);
+}
+
+void Baseline::conclude(const ResultFile& result, const CommonFlags& common, std::FILE* out,
+                        Outcome& outcome) const {
+    if (!save_as_.empty() && !result.run.interrupted) {
         write_result(save_as_, result);
         tell(common, fmt::format("baseline written: {}", save_as_.string()));
     }
-    if (!base_) return;
-    const JudgeFlags judge;
-    const Tolerances tolerances = tolerances_of(judge, config);
-    const CompareRules rules{[&](const SessionCase& c) { return tolerances.of(c.params.value_or(Case())); }};
-    const Comparison comparison = compare_sessions({*base_}, {session_of(result, "this run")}, rules);
-    add_comparison(outcome, comparison, judge);
-    show_comparison(comparison, fmt::format("base: {}; new: this run", base_->file), judge, out);
+    if (!comparison_) return;
+    add_comparison(outcome, *comparison_, {});
+    show_comparison(*comparison_, fmt::format("base: {}; new: this run", base_->file), {}, out);
 }
 
 }  // namespace ptb

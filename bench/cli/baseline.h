@@ -6,7 +6,7 @@
 
 #include "bench/cli/exit_code.h"
 #include "bench/cli/options.h"
-#include "bench/compare/session.h"
+#include "bench/compare/sessions.h"
 
 namespace ptb {
 
@@ -17,12 +17,16 @@ class Baseline {
     /// that the one of --save-baseline can be written. Throws UsageError.
     explicit Baseline(const RunFlags& flags);
 
-    /// Keeps the result and compares it, as asked; adds what changed to `outcome`. The table goes to `out`.
-    void conclude(const ResultFile& result, const Config& config, const CommonFlags& common, std::FILE* out,
+    /// Compares the result, unless it was interrupted, and notes the verdict in it.
+    void judge(ResultFile& result, const Config& config);
+
+    /// Keeps the result, shows the comparison on `out` and adds what changed to `outcome`, as asked.
+    void conclude(const ResultFile& result, const CommonFlags& common, std::FILE* out,
                   Outcome& outcome) const;
 
   private:
     std::optional<Session> base_;
+    std::optional<Comparison> comparison_;
     std::filesystem::path save_as_;
 };
 

@@ -2,9 +2,12 @@
 
 #include "bench/cli/commands.h"
 #include "bench/cli/exit_code.h"
+#include "bench/cli/interrupt.h"
 #include "bench/cli/tell.h"
 #include "bench/plan/data_dir.h"
 #include "bench/record/json.h"
+#include "bench/report/sections.h"
+#include "bench/worker/coordinator.h"
 #include "core/input/printable.h"
 #include "core/integrator/registry.h"
 
@@ -61,24 +64,43 @@ std::string broken_text(const std::vector<BrokenIcd>& broken) {
     return text;
 }
 
-void print_text(const DeviceList& list) {
-    put(stdout,
-        fmt::format("{}{}\nkernels: {}\nscenes:  {}\nconfigs: {}\naxes:    {}\n", devices_text(list.devices),
-                    broken_text(list.broken), fmt::join(kernel_names(), " "), fmt::join(scene_names(), " "),
-                    fmt::join(config_names(), " "), fmt::join(axis_names(), " ")));
+void print_text(const DeviceList& list, const std::vector<DevicePeaks>& peaks) {
+    put(stdout, fmt::format("{}{}{}\nkernels: {}\nscenes:  {}\nconfigs: {}\naxes:    {}\n",
+                            devices_text(list.devices), broken_text(list.broken),
+                            peaks.empty() ? "" : "\n" + to_text(peaks_section(peaks)),
+                            fmt::join(kernel_names(), " "), fmt::join(scene_names(), " "),
+                            fmt::join(config_names(), " "), fmt::join(axis_names(), " ")));
 }
 
-void print_json(const DeviceList& list) {
-    const Json json{{"devices", list.devices}, {"broken_icds", list.broken}, {"kernels", kernel_names()},
-                    {"scenes", scene_names()}, {"configs", config_names()},  {"axes", axis_names()}};
+void print_json(const DeviceList& list, const std::vector<DevicePeaks>& peaks) {
+    const Json json{{"peaks", encode(peaks)},    {"devices", list.devices}, {"broken_icds", list.broken},
+                    {"kernels", kernel_names()}, {"scenes", scene_names()}, {"configs", config_names()},
+                    {"axes", axis_names()}};
     put(stdout, dump_json(json, 2) + "\n");
+}
+
+/// Each in a worker of its own.
+std::vector<DevicePeaks> peaks_of(const DeviceList& list, const CommonFlags& flags) {
+    const Stopped stopped = [&stop = watch_for_interruption()] { return stop.load(); };
+    const OpenChannel open = process_channels(worker_launch(flags), std::chrono::minutes(2), stopped);
+    MeasureOptions how;
+    how.kernel_dir = flags.kernel_dir;
+    std::vector<DevicePeaks> all;
+    for (const DeviceInfo& device : list.devices) {
+        if (!device.excluded.empty() || stopped()) continue;
+        tell(flags, fmt::format("measuring {}", device.key));
+        DeviceWorker worker(device, open, how);
+        all.push_back(ask_peaks(worker, device.key));
+    }
+    return all;
 }
 
 }  // namespace
 
 int list_command(const Options& options) {
     const DeviceList list = find_devices(options.common);
-    options.list.json ? print_json(list) : print_text(list);
+    const auto peaks = options.list.peaks ? peaks_of(list, options.common) : std::vector<DevicePeaks>();
+    options.list.json ? print_json(list, peaks) : print_text(list, peaks);
     if (any_usable(list)) return exit_codes::done;
     put(stderr, no_device_text(list) + "\n");
     return exit_codes::no_device;

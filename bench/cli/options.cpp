@@ -143,6 +143,7 @@ void add_run(CLI::App& app, RunFlags& flags, bool& list) {
     add_baselines(app, flags);
     flag(app, "--no-tune,--no-tuned", flags.no_tuned, "ignore what `ptbench tune` stored");
     option(app, "--tune-file", flags.tune_file, "where it did [$XDG_CONFIG_HOME/ptbench/tune.json]");
+    flag(app, "--peaks", flags.peaks, "also measure what the devices can do at most");
     flag(app, "--dry-run", flags.dry_run, "print the plan with its predicted cost");
     flag(app, "--dump-config", flags.dump_config, "print the config and end");
     app.add_flag("-l,--list", list, "same as `ptbench list`");
@@ -160,6 +161,7 @@ struct Grammar {
         add_common_flags(app, options.common);
         list = app.add_subcommand("list", "devices, kernels, scenes and configs");
         list->add_flag("--json", options.list.json, "as JSON");
+        list->add_flag("--peaks", options.list.peaks, "also measure what the devices can do at most");
         add_common_flags(*list, options.common);
         add_render(options.render);
         add_common_flags(*render, options.common);

@@ -29,7 +29,7 @@ struct RunFlags {
     std::optional<double> max_time_s, timeout_s, max_total_time_s;
     std::optional<std::uint64_t> seed;
     std::string timer;
-    bool skip_time = false, dry_run = false, dump_config = false, no_isolate = false;
+    bool skip_time = false, dry_run = false, dump_config = false, no_isolate = false, peaks = false;
     std::string json, csv, csv_samples, md;  ///< files, or "-" for stdout
     std::string baseline, save_baseline, baseline_dir = "ptbench-baselines";
     bool no_tuned = false;  ///< ignore what `tune` stored
@@ -38,7 +38,7 @@ struct RunFlags {
 };
 
 struct ListFlags {
-    bool json = false;
+    bool json = false, peaks = false;
 };
 
 struct RenderFlags {

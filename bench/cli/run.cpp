@@ -162,6 +162,7 @@ void run_plan(const Options& options, const Prepared& prepared, const Outputs& o
               Coordinator& coordinator, ResultFile& result) {
     const Forecast forecast = coordinator.estimate();
     tell(options.common, prediction_text(forecast, prepared.plan.cases, prepared.config.max_total_time_s));
+    if (options.run.peaks) result.peaks = coordinator.peaks();
     JournalWriter journal(outputs.journal(), result);
     ProgressPrinter progress(stderr, progress_style(options.common), prepared.plan, forecast,
                              use_colour(options.common, stderr));
@@ -189,7 +190,7 @@ void report(const Options& options, const Prepared& prepared, Outputs& outputs, 
 
 int measure(const Options& options, Prepared& prepared, ResultFile& result, const Stopped& stopped) {
     const double start_s = steady_seconds();
-    const Baseline baseline(options.run);
+    Baseline baseline(options.run);
     Outputs outputs(options.run, prepared.config.name, result.run.started_at);
     prepared.plan.image_files = outputs.pictures(prepared.planned, pictured(result.cases));
     Coordinator coordinator(prepared.plan, channels(options, prepared.config, stopped), stopped);
@@ -197,10 +198,10 @@ int measure(const Options& options, Prepared& prepared, ResultFile& result, cons
     result.run.wall_s += steady_seconds() - start_s;
     result.run.coordinator_cpu_s += process_cpu_s();
     result.run.interrupted = stopped();
+    baseline.judge(result, prepared.config);
     report(options, prepared, outputs, result);
     Outcome outcome = outcome_of(result.cases);
-    baseline.conclude(result, prepared.config, options.common, outputs.stdout_is_taken() ? stderr : stdout,
-                      outcome);
+    baseline.conclude(result, options.common, outputs.stdout_is_taken() ? stderr : stdout, outcome);
     outcome.interrupted = result.run.interrupted;
     return exit_code(outcome);
 }

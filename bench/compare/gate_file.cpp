@@ -14,6 +14,7 @@ namespace {
 
 constexpr const char* schema = "ptbench.ab.v1";
 constexpr std::size_t rounds_a_block = 4;
+constexpr double long_sample_ns = 100e6;
 
 bool all_positive(const std::vector<std::int64_t>& times) {
     return !times.empty() && std::all_of(times.begin(), times.end(), [](auto ns) { return ns > 0; });
@@ -59,6 +60,8 @@ Row row_of(const GateFile& gate, std::size_t i) {
     row.finding = gate.findings[i];
     row.note = c.not_measured;
     if (c.timer == "host" && row.note.empty()) row.note = "timer: host";
+    if (row.note.empty() && std::max(row.finding.base_ns, row.finding.now_ns) > long_sample_ns)
+        row.note = "samples over 100 ms: fewer spp see more";
     return row;
 }
 
@@ -79,9 +82,10 @@ void write_gate(const std::filesystem::path& file, const GateFile& gate) {
     write_file(file, dump_json(json, 1) + "\n");
 }
 
-GateFile read_gate(const std::filesystem::path& file) {
-    const std::string origin = file.string();
-    const Json json = parse_json(read_text(file), origin);
+GateFile read_gate(const std::filesystem::path& file) { return parse_gate(read_text(file), file.string()); }
+
+GateFile parse_gate(std::string_view text, const std::string& origin) {
+    const Json json = parse_json(text, origin);
     const Where root(origin);
     if (!json.is_object() || json.value("schema", Json()) != schema)
         root.fail(fmt::format("not a decision of `ptbench ab`: \"schema\" is not \"{}\"", schema));

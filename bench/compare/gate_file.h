@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/compare/gate.h"
@@ -36,6 +37,7 @@ void write_gate(const std::filesystem::path& file, const GateFile& gate);
 
 /// Throws UsageError, one line, on anything but a gate that can be decided again.
 GateFile read_gate(const std::filesystem::path& file);
+GateFile parse_gate(std::string_view text, const std::string& origin);
 
 /// A row for each case, with the findings as they are.
 std::vector<Row> rows_of(const GateFile& gate);

@@ -61,12 +61,15 @@ Session session_of(const ResultFile& result, const std::string& file) {
 }
 
 Session read_session(const std::filesystem::path& file) {
-    const std::string origin = file.string();
-    const Json json = parse_json(read_text(file), origin);
+    return parse_session(read_text(file), file.string());
+}
+
+Session parse_session(std::string_view text, const std::string& file) {
+    const Json json = parse_json(text, file);
     const bool other = json.is_object() && !json.contains("schema") && json.contains("benchmarks");
-    if (other && json.contains("context")) return google_benchmark_session(json, origin);
-    if (other && json.contains("devices")) return nvbench_session(json, origin);
-    return session_of(result_from_json(json, origin), origin);
+    if (other && json.contains("context")) return google_benchmark_session(json, file);
+    if (other && json.contains("devices")) return nvbench_session(json, file);
+    return session_of(result_from_json(json, file), file);
 }
 
 }  // namespace ptb

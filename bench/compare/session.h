@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct Session {
 /// Reads a result of ptbench, Google Benchmark (--benchmark_out_format=json) or nvbench (--json). Throws
 /// UsageError, one line, on anything else.
 Session read_session(const std::filesystem::path& file);
+Session parse_session(std::string_view text, const std::string& file);
 
 Session session_of(const ResultFile& result, const std::string& file);
 /// Throw UsageError; `json` is an object.

@@ -50,20 +50,22 @@ void Journal::append(const Record& record) {
         throw std::runtime_error("cannot write " + file_.string() + ": " + std::strerror(errno));
 }
 
-ResultFile read_journal(const std::filesystem::path& file) {
-    const std::string text = read_text(file);
-    std::string_view rest = text;
-    ResultFile result = result_from_json(parse_json(take_line(rest), file.string()), file.string());
-    for (int number = 2; !rest.empty(); ++number) {
-        const bool cut_short = rest.find('\n') == std::string_view::npos;
-        const auto line = take_line(rest);
+ResultFile parse_journal(std::string_view text, const std::string& origin) {
+    ResultFile result = result_from_json(parse_json(take_line(text), origin), origin);
+    for (int number = 2; !text.empty(); ++number) {
+        const bool cut_short = text.find('\n') == std::string_view::npos;
+        const auto line = take_line(text);
         try {
-            result.cases.push_back(parse_record(line, file.string() + ":" + std::to_string(number)));
+            result.cases.push_back(parse_record(line, origin + ":" + std::to_string(number)));
         } catch (const UsageError&) {
             if (!cut_short) throw;
         }
     }
     return result;
+}
+
+ResultFile read_journal(const std::filesystem::path& file) {
+    return parse_journal(read_text(file), file.string());
 }
 
 }  // namespace ptb

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include "bench/record/record.h"
 
@@ -25,7 +27,9 @@ class Journal {
     std::unique_ptr<std::FILE, Close> stream_;
 };
 
-/// What a journal holds; a last line that was cut short is left out. Throws UsageError on anything else.
+/// What the text of a journal holds; a last line that was cut short is left out. Throws UsageError on
+/// anything else.
+ResultFile parse_journal(std::string_view text, const std::string& origin);
 ResultFile read_journal(const std::filesystem::path& file);
 
 }  // namespace ptb

@@ -89,13 +89,13 @@ void decode(const Json& json, const Where& where, Case& c) {
     }
 }
 
-Json encode(const ConfigText& config) {
-    return config.json.empty() ? Json(nullptr) : parse_json(config.json, "settings");
+Json encode(const JsonText& text) {
+    return text.json.empty() ? Json(nullptr) : parse_json(text.json, "document");
 }
 
-void decode(const Json& json, const Where& where, ConfigText& config) {
-    if (!json.is_object() && !json.is_null()) where.refuse(json, "a config");
-    config.json = json.is_null() ? "" : dump_json(json);
+void decode(const Json& json, const Where& where, JsonText& text) {
+    if (!json.is_object() && !json.is_null()) where.refuse(json, "an object");
+    text.json = json.is_null() ? "" : dump_json(json);
 }
 
 Json encode(Status status) { return to_string(status); }

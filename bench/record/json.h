@@ -23,7 +23,10 @@ inline constexpr auto fields<Build> = std::make_tuple(
     field("upload_ms", &Build::upload_ms), field("readback_ms", &Build::readback_ms),
     field("first_launch_ns", &Build::first_launch_ns), field("max_work_group", &Build::max_work_group),
     field("preferred_multiple", &Build::preferred_multiple), field("local_bytes", &Build::local_bytes),
-    field("private_bytes", &Build::private_bytes), field("log", &Build::log));
+    field("private_bytes", &Build::private_bytes), field("log", &Build::log),
+    field("binary_bytes", &Build::binary_bytes), field("registers", &Build::registers),
+    field("spill_store_bytes", &Build::spill_store_bytes),
+    field("spill_load_bytes", &Build::spill_load_bytes));
 
 template <>
 inline constexpr auto fields<TimeSample> = std::make_tuple(required("kernel_ns", &TimeSample::kernel_ns),
@@ -56,11 +59,31 @@ inline constexpr auto fields<Validation> = std::make_tuple(
     field("checks", &Validation::checks));
 
 template <>
-inline constexpr auto fields<Record> =
-    std::make_tuple(required("params", &Record::params), required("status", &Record::status),
-                    field("reason", &Record::reason), field("work", &Record::work),
-                    field("build", &Record::build), field("samples", &Record::samples),
-                    field("statistics", &Record::statistics), field("validation", &Record::validation));
+inline constexpr auto fields<Energy> = std::make_tuple(field("source", &Energy::source),
+                                                       field("reason", &Energy::reason),
+                                                       field("window_s", &Energy::window_s),
+                                                       field("joules", &Energy::joules),
+                                                       field("samples_per_joule", &Energy::samples_per_joule),
+                                                       field("idle_w", &Energy::idle_w));
+
+template <>
+inline constexpr auto fields<Peak> = std::make_tuple(required("name", &Peak::name),
+                                                     field("unit", &Peak::unit), field("value", &Peak::value),
+                                                     field("low", &Peak::low), field("high", &Peak::high),
+                                                     field("n", &Peak::n), field("timer", &Peak::timer),
+                                                     field("reason", &Peak::reason));
+
+template <>
+inline constexpr auto fields<DevicePeaks> = std::make_tuple(required("device", &DevicePeaks::device),
+                                                            field("reason", &DevicePeaks::reason),
+                                                            field("peaks", &DevicePeaks::peaks));
+
+template <>
+inline constexpr auto fields<Record> = std::make_tuple(
+    required("params", &Record::params), required("status", &Record::status),
+    field("reason", &Record::reason), field("work", &Record::work), field("build", &Record::build),
+    field("samples", &Record::samples), field("statistics", &Record::statistics),
+    field("validation", &Record::validation), field("energy", &Record::energy));
 
 template <>
 inline constexpr auto fields<DeviceInfo> = std::make_tuple(
@@ -110,13 +133,12 @@ inline constexpr auto fields<RunInfo> =
                     field("coordinator_cpu_s", &RunInfo::coordinator_cpu_s));
 
 template <>
-inline constexpr auto fields<ResultFile> = std::make_tuple(required("run", &ResultFile::run),
-                                                           required("host", &ResultFile::host),
-                                                           required("devices", &ResultFile::devices),
-                                                           field("broken_icds", &ResultFile::broken_icds),
-                                                           field("warnings", &ResultFile::warnings),
-                                                           required("cases", &ResultFile::cases),
-                                                           field("fits", &ResultFile::fits));
+inline constexpr auto fields<ResultFile> =
+    std::make_tuple(required("run", &ResultFile::run), required("host", &ResultFile::host),
+                    required("devices", &ResultFile::devices), field("broken_icds", &ResultFile::broken_icds),
+                    field("warnings", &ResultFile::warnings), required("cases", &ResultFile::cases),
+                    field("fits", &ResultFile::fits), field("peaks", &ResultFile::peaks),
+                    field("verdict", &ResultFile::verdict));
 
 template <>
 inline constexpr auto fields<MeasureOptions> = std::make_tuple(
@@ -128,8 +150,8 @@ inline constexpr auto fields<MeasureOptions> = std::make_tuple(
 /// A case is written in the words of the axes: "size": "128x128", "work_group": "implicit", "lanes": "auto".
 Json encode(const Case& c);
 void decode(const Json& json, const Where& where, Case& c);
-Json encode(const ConfigText& config);
-void decode(const Json& json, const Where& where, ConfigText& config);
+Json encode(const JsonText& text);
+void decode(const Json& json, const Where& where, JsonText& text);
 Json encode(Status status);
 void decode(const Json& json, const Where& where, Status& status);
 

@@ -39,6 +39,8 @@ struct Build {
     std::uint64_t preferred_multiple = 0;
     std::uint64_t local_bytes = 0, private_bytes = 0;
     std::string log;
+    std::optional<std::uint64_t> binary_bytes;                                    ///< of the device's program
+    std::optional<std::uint64_t> registers, spill_store_bytes, spill_load_bytes;  ///< as the log tells
     bool operator==(const Build&) const = default;
 };
 
@@ -81,6 +83,17 @@ struct Validation {
     bool operator==(const Validation&) const = default;
 };
 
+/// What the timed samples of a case took from the device's energy counter.
+struct Energy {
+    std::string source;            ///< "NVML", "RAPL package-0", or empty
+    std::string reason;            ///< why there are no joules, or empty
+    double window_s = 0;           ///< from the first timed sample's begin to the last one's end
+    std::optional<double> joules;  ///< of one render, idle power included
+    std::optional<double> samples_per_joule;
+    std::optional<double> idle_w;  ///< before this worker's first case
+    bool operator==(const Energy&) const = default;
+};
+
 /// What became of one planned case. The one record type of protocol, journal and result file.
 struct Record {
     Case params;
@@ -91,6 +104,7 @@ struct Record {
     std::vector<TimeSample> samples;
     std::optional<Statistics> statistics;
     std::optional<Validation> validation;
+    std::optional<Energy> energy;
     bool operator==(const Record&) const = default;
 };
 
@@ -102,6 +116,23 @@ struct SppFit {
     double r2 = 0;        ///< share of the variance that the line explains, points weighted by 1/t^2
     std::string warning;  ///< of a bad fit: what was seen and the likely cause; else empty
     bool operator==(const SppFit&) const = default;
+};
+
+/// What a device can do at most of one thing: a rate, or the time of a launch.
+struct Peak {
+    std::string name, unit;                  ///< "fma", "GFLOP/s"
+    std::optional<double> value, low, high;  ///< median, and its exact 95 % interval
+    int n = 0;
+    std::string timer;   ///< "event" or "host"
+    std::string reason;  ///< why there is no value, or why not to trust it
+    bool operator==(const Peak&) const = default;
+};
+
+struct DevicePeaks {
+    std::string device;
+    std::string reason;  ///< why there are none
+    std::vector<Peak> peaks;
+    bool operator==(const DevicePeaks&) const = default;
 };
 
 /// One ICD that could not be used.
@@ -119,10 +150,10 @@ struct HostInfo {
     bool operator==(const HostInfo&) const = default;
 };
 
-/// A config as --dump-config prints it; in files an object.
-struct ConfigText {
+/// A document of another schema within a file: an object there, or null when empty.
+struct JsonText {
     std::string json;
-    bool operator==(const ConfigText&) const = default;
+    bool operator==(const JsonText&) const = default;
 };
 
 /// What was run.
@@ -133,7 +164,7 @@ struct RunInfo {
     std::uint64_t seed = 0;
     bool interrupted = false;
     double wall_s = 0;                    ///< of all parts of a resumed run that came to their end
-    ConfigText settings;                  ///< what flags made of the config
+    JsonText settings;                    ///< what flags made of the config, as --dump-config
     std::vector<std::string> resumed_at;  ///< ISO 8601, UTC
     std::vector<std::string> scenes;      ///< of the plan: "furnace 9f86d081884c7d65", name and text_hash
     std::vector<Case> tuned;       ///< what `ptbench tune` had found for devices and kernels of the plan
@@ -150,6 +181,8 @@ struct ResultFile {
     std::vector<Record> cases;
     std::vector<SppFit> fits;
     std::vector<std::string> warnings;
+    std::vector<DevicePeaks> peaks;  ///< with --peaks
+    JsonText verdict;                ///< beside a baseline, as `compare --json` writes it
     bool operator==(const ResultFile&) const = default;
 };
 

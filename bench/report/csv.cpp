@@ -64,6 +64,12 @@ Cell of_work(const std::function<std::string(const Work&)>& show) {
 Cell of_build(const std::function<std::string(const Build&)>& show) {
     return [show](const Row& r) { return r.record.build ? show(*r.record.build) : ""; };
 }
+Cell of_energy(std::optional<double> Energy::*member) {
+    return [member](const Row& r) {
+        const auto& energy = r.record.energy;
+        return energy && *energy.*member ? real(*(*energy.*member), 6) : "";
+    };
+}
 Cell statistic_ms(double Statistics::*member) {
     return of_statistics([member](const Statistics& s) { return ms_text(s.*member); });
 }
@@ -134,6 +140,9 @@ const Columns& other_columns() {
              return b.first_launch_ns == 0 ? "" : ms_text(static_cast<double>(b.first_launch_ns));
          })},
         {"kernel_hash", of_build([](const Build& b) { return text(b.kernel_hash); })},
+        {"joules", of_energy(&Energy::joules)},
+        {"samples_per_joule", of_energy(&Energy::samples_per_joule)},
+        {"idle_w", of_energy(&Energy::idle_w)},
         {"device_key", [](const Row& r) { return text(r.record.params.device); }},
         {"platform", [](const Row& r) { return text(r.device.platform); }},
         {"driver_version", [](const Row& r) { return text(r.device.driver_version); }},

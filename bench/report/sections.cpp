@@ -9,9 +9,10 @@ namespace ptb {
 
 std::vector<Section> report_sections(const ResultFile& result, const PublishedTable& published) {
     std::vector<Section> sections;
-    for (Section& section : std::vector<Section>{
-             times_section(result), fits_section(result), problems_section(result), devices_section(result),
-             kernels_section(result), published_section(result, published), remarks_section(result)})
+    for (Section& section :
+         std::vector<Section>{times_section(result), fits_section(result), problems_section(result),
+                              devices_section(result), kernels_section(result), peaks_section(result.peaks),
+                              published_section(result, published), remarks_section(result)})
         if (!section.grid.rows.empty() || (section.grid.columns.empty() && !section.notes.empty()))
             sections.push_back(std::move(section));
     return sections;

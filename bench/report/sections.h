@@ -18,6 +18,8 @@ Section problems_section(const ResultFile& result);
 Section devices_section(const ResultFile& result);
 /// `pt` against `thesis` on each device.
 Section kernels_section(const ResultFile& result);
+/// Peaks, one a row.
+Section peaks_section(const std::vector<DevicePeaks>& peaks);
 /// What the reader should know of the run: interruption, warnings, ICDs and devices that were not used.
 Section remarks_section(const ResultFile& result);
 

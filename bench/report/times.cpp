@@ -31,6 +31,16 @@ std::string note(const Record& record) {
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+bool any_joules(const std::vector<Record>& records) {
+    return std::any_of(records.begin(), records.end(),
+                       [](const Record& record) { return record.energy && record.energy->joules; });
+}
+
+std::string samples_per_joule(const Record& record) {
+    const auto& energy = record.energy;
+    return energy && energy->samples_per_joule ? number_text(*energy->samples_per_joule / 1e3) : "-";
+}
+
 bool any_note(const std::vector<Record>& records) {
     for (const Record& record : records)
         if (!note(record).empty()) return true;
@@ -70,7 +80,7 @@ Section times_section(const ResultFile& result) {
     const auto records = shown_records(result);
     if (records.empty()) return {};
     const auto axes = varying(records, {"scene", "path_length"});
-    const bool notes = any_note(records);
+    const bool notes = any_note(records), joules = any_joules(records);
     Section section;
     section.title = "times" + constants(records, axes);
     section.grid.columns = {{"vendor", false, 16},
@@ -85,10 +95,12 @@ Section times_section(const ResultFile& result) {
                             {"+- %", true},
                             {"Msamples/s", true},
                             {"Msegments/s", true}};
+    if (joules) section.grid.columns.push_back({"ksamples/J", true});
     for (const auto& axis : axes) section.grid.columns.push_back({axis, axis == "path_length"});
     if (notes) section.grid.columns.push_back({"note"});
     for (const Record& record : records) {
         auto& row = section.grid.rows.emplace_back(cells(result, record));
+        if (joules) row.push_back(samples_per_joule(record));
         for (const auto& axis : axes) row.push_back(case_value(record.params, axis));
         if (notes) row.push_back(note(record));
     }

@@ -63,6 +63,21 @@ Record ask(DeviceWorker& worker, const Request& request, const Channel::Progress
     return record(request.params, Status::skipped, why.empty() ? interrupted_reason : why);
 }
 
+DevicePeaks ask_peaks(DeviceWorker& worker, const std::string& device) {
+    DevicePeaks found{device, interrupted_reason, {}};
+    if (!worker.given_up().empty() || !worker.ready()) {
+        if (!worker.given_up().empty()) found.reason = worker.given_up();
+        return found;
+    }
+    Request request;
+    request.kind = Request::Kind::peaks;
+    const Reply reply = worker.request(request, [](const Response&) {});
+    if (reply.end != Reply::End::interrupted)
+        found.reason = reply.end == Reply::End::answered ? reply.response.reason : reply.reason;
+    found.peaks = reply.response.peaks;
+    return found;
+}
+
 double steady_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -90,6 +105,13 @@ Forecast Coordinator::estimate() {
         if (known) forecast.learn(c, reply.response.ns_per_sample);
     }
     return forecast;
+}
+
+std::vector<DevicePeaks> Coordinator::peaks() {
+    std::vector<DevicePeaks> all;
+    for (const DeviceInfo& device : plan_.devices)
+        if (!stopped_()) all.push_back(ask_peaks(worker_of(device.key), device.key));
+    return all;
 }
 
 std::vector<Record> Coordinator::run(const Forecast& forecast, const std::vector<RunObserver*>& observers) {

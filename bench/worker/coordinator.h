@@ -30,6 +30,9 @@ struct RunPlan {
 /// The record that answers a request to run a case, or the one that says why there is none.
 Record ask(DeviceWorker& worker, const Request& request, const Channel::Progress& progress);
 
+/// What a worker's device can do at most, or why nobody knows.
+DevicePeaks ask_peaks(DeviceWorker& worker, const std::string& device);
+
 /// Seconds since any fixed moment.
 using SecondsNow = std::function<double()>;
 double steady_seconds();
@@ -42,6 +45,9 @@ class Coordinator {
 
     /// Asks each device what a pixel sample of each (kernel, scene, path length, lanes) costs.
     Forecast estimate();
+
+    /// Asks each device what it can do at most.
+    std::vector<DevicePeaks> peaks();
 
     /// Runs the plan in its order; `observers` hear of each case.
     std::vector<Record> run(const Forecast& forecast, const std::vector<RunObserver*>& observers);

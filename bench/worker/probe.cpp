@@ -139,11 +139,24 @@ std::string probe_line(const std::vector<DeviceInfo>& devices) { return one_line
 std::string probe_error_line(const std::string& reason) { return one_line({{"error", reason}}); }
 
 std::vector<DeviceInfo> parse_probe_line(const std::string& line) {
-    const auto json = Json::parse(line, nullptr, false);
+    Json json;
+    try {
+        json = parse_json(line, "answer");
+    } catch (const UsageError&) {
+        json = nullptr;
+    }
     if (!json.is_object())
         throw std::runtime_error(fmt::format("garbled answer \"{}\"", shortened(printable(line), 60)));
-    if (json.contains("error")) throw std::runtime_error(json.at("error").get<std::string>());
-    return json.at("devices").get<std::vector<DeviceInfo>>();
+    const std::string origin = "answer";
+    const Where where(origin);
+    if (json.contains("error")) {
+        std::string reason;
+        decode(json["error"], Where(where, "error"), reason);
+        throw std::runtime_error(reason);
+    }
+    std::vector<DeviceInfo> devices;
+    decode(member(json, where, "devices"), Where(where, "devices"), devices);
+    return devices;
 }
 
 }  // namespace ptb

@@ -8,8 +8,8 @@
 namespace ptb {
 namespace {
 
-constexpr const char* request_kinds[] = {"open", "estimate", "run", "round"};
-constexpr const char* response_kinds[] = {"ready", "estimate", "progress", "record", "failed"};
+constexpr const char* request_kinds[] = {"open", "estimate", "run", "round", "peaks"};
+constexpr const char* response_kinds[] = {"ready", "estimate", "progress", "record", "failed", "peaks"};
 
 template <class Kind, std::size_t N>
 Kind parse_kind(const Json& json, const Where& where, const char* const (&words)[N]) {
@@ -43,9 +43,14 @@ inline constexpr auto fields<Response> = std::make_tuple(
     required("kind", &Response::kind), required("protocol", &Response::protocol),
     field("tool_version", &Response::tool_version), field("ns_per_sample", &Response::ns_per_sample),
     field("stage", &Response::stage), field("done", &Response::done), field("record", &Response::record),
-    field("reason", &Response::reason), field("device_failed", &Response::device_failed));
+    field("reason", &Response::reason), field("device_failed", &Response::device_failed),
+    field("peaks", &Response::peaks));
 
 namespace {
+
+bool of_a_case(const Request& request) {
+    return request.kind != Request::Kind::open && request.kind != Request::Kind::peaks;
+}
 
 template <class Message>
 Message parse_message(const std::string& line) {
@@ -59,7 +64,7 @@ Message parse_message(const std::string& line) {
 
 std::string to_line(const Request& request) {
     Json json = encode(request);
-    if (request.kind == Request::Kind::open) json.erase("params");
+    if (!of_a_case(request)) json.erase("params");
     return dump_json(json) + "\n";
 }
 
@@ -67,7 +72,7 @@ std::string to_line(const Response& response) { return dump_json(encode(response
 
 Request parse_request(const std::string& line) {
     const auto request = parse_message<Request>(line);
-    if (request.kind != Request::Kind::open && request.params.kernel.empty())
+    if (of_a_case(request) && request.params.kernel.empty())
         throw std::runtime_error("message: \"params\" is missing");
     return request;
 }

@@ -13,7 +13,7 @@ inline constexpr int protocol_version = 2;
 
 /// Coordinator to worker, one JSON object a line. The first line is always `open`.
 struct Request {
-    enum class Kind { open, estimate, run, round };
+    enum class Kind { open, estimate, run, round, peaks };
     Kind kind = Kind::open;
     int protocol = protocol_version;
     MeasureOptions measure;             ///< open
@@ -26,9 +26,10 @@ struct Request {
 
 /// Worker to coordinator. `open` is answered by `ready` or `failed`; `estimate` by `estimate` or `failed`;
 /// `run` by any number of `progress` and one `record`; `round`, some samples of a case without its warm-up,
-/// too. A worker that is alive sends progress at least once a pass.
+/// too; `peaks` like `run`, but by `peaks` or `failed`. A worker that is alive sends progress at least once a
+/// pass.
 struct Response {
-    enum class Kind { ready, estimate, progress, record, failed };
+    enum class Kind { ready, estimate, progress, record, failed, peaks };
     Kind kind = Kind::ready;
     int protocol = protocol_version;
     std::string tool_version;      ///< ready
@@ -37,6 +38,7 @@ struct Response {
     double done = 0;               ///< progress: share of the stage, 0 to 1
     std::optional<Record> record;  ///< record
     std::string reason;            ///< failed
+    std::vector<Peak> peaks;       ///< peaks
     bool device_failed =
         false;  ///< an OpenCL call failed: what this worker does from now on is worth nothing
     bool operator==(const Response&) const = default;

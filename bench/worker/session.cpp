@@ -42,7 +42,8 @@ class DeviceSession : public Session {
     Response answered(const Request& request, const Send& send) {
         if (request.kind == Request::Kind::open) return open(request);
         if (!bench_) return failed("the first request must be open");
-        return request.kind == Request::Kind::estimate ? estimate(request) : measure(request, send);
+        if (request.kind == Request::Kind::estimate) return estimate(request);
+        return request.kind == Request::Kind::peaks ? peaks(send) : measure(request, send);
     }
 
     Response open(const Request& request) {
@@ -63,10 +64,9 @@ class DeviceSession : public Session {
         return response;
     }
 
-    Response measure(const Request& request, const Send& send) {
-        std::string last_stage;
-        std::int64_t last_ns = 0;
-        const auto progress = [&](const std::string& stage, double done) {
+    static Workbench::Stage told(const Send& send) {
+        return [send, last_stage = std::string(), last_ns = std::int64_t{0}](const std::string& stage,
+                                                                             double done) mutable {
             if (stage == last_stage && seconds_since(last_ns) < quiet_s) return;
             last_stage = stage;
             last_ns = now_ns();
@@ -76,6 +76,17 @@ class DeviceSession : public Session {
             response.done = done;
             send(response);
         };
+    }
+
+    Response peaks(const Send& send) {
+        Response response;
+        response.kind = Response::Kind::peaks;
+        response.peaks = bench_->peaks(told(send));
+        return response;
+    }
+
+    Response measure(const Request& request, const Send& send) {
+        const auto progress = told(send);
         Response response;
         response.kind = Response::Kind::record;
         const double time_left_s = request.time_left_s.value_or(std::numeric_limits<double>::infinity());

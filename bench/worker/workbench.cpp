@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include <fmt/format.h>
 
 #include "bench/measure/clock.h"
+#include "bench/measure/peaks.h"
 #include "bench/plan/scene_file.h"
 #include "bench/validate/validate.h"
 #include "core/image/image_io.h"
@@ -57,8 +59,15 @@ Build describe_build(const BuiltKernel& kernel, const ocl::KernelFacts& facts) {
     build.preferred_multiple = facts.preferred_multiple;
     build.local_bytes = facts.local_bytes;
     build.private_bytes = facts.private_bytes;
+    build.binary_bytes = facts.binary_bytes;
+    build.registers = facts.log.registers;
+    build.spill_store_bytes = facts.log.spill_store_bytes;
+    build.spill_load_bytes = facts.log.spill_load_bytes;
     return build;
 }
+
+double steady_s() { return seconds_since(0); }
+void wait_s(double s) { std::this_thread::sleep_for(std::chrono::duration<double>(s)); }
 
 void conclude(Record& record, Status status, const std::string& reason) {
     record.status = status;
@@ -66,6 +75,7 @@ void conclude(Record& record, Status status, const std::string& reason) {
     if (status == Status::ok || status == Status::unstable) return;
     record.samples.clear();
     record.statistics.reset();
+    record.energy.reset();
     if (record.work) record.work->longest_launch_ns = 0;
     if (record.build) record.build->first_launch_ns = 0;
 }
@@ -241,10 +251,14 @@ void Workbench::check_work_group(const Job& job, Record& record) {
 Measurement Workbench::take_samples(const Job& job, Render& render, double time_left_s, const Stage& progress,
                                     Record& record) {
     const double render_s = estimate(job.params) * static_cast<double>(record.work->samples) * 1e-9;
+    bool timing = false;
     const auto take = [&](const std::string& name, int renders) {
+        if (!timing) energy_->restart();
+        timing = name == "sample";
         disturbances_.begin(render_s * renders);
         TimedRender timed = timed_render(
             render, {cutters_[job.key()], device_.info.timer_resolution_ns, stage(progress, name), renders});
+        energy_->add(renders);
         disturbances_.end(timed.time);
         record.work->passes = timed.passes;
         record.work->longest_launch_ns = std::max(record.work->longest_launch_ns, timed.longest_launch_ns);
@@ -294,6 +308,7 @@ void Workbench::measure(const Job& job, double time_left_s, const std::string& i
     if (options_.timer == "event" && !timer_.fault().empty())
         throw Unsupported(fmt::format("--timer event: {}; auto takes the host's clock then", timer_.fault()));
 
+    record.energy = energy_->spent(record.work->samples);
     const std::int64_t reading = now_ns();
     const Film film = render->read_film();
     record.build->readback_ms = seconds_since(reading) * 1e3;
@@ -330,6 +345,7 @@ Record Workbench::run(const Case& params, double time_left_s, const std::string&
     Record record;
     record.params = params;
     try {
+        if (!energy_ && !options_.skip_time) energy_.emplace(energy_counter(device_.info), steady_s, wait_s);
         attempt(resolve(params), time_left_s, image_file, progress, record);
     } catch (const Unsupported& e) {
         conclude(record, Status::unsupported, e.what());
@@ -344,6 +360,11 @@ Record Workbench::run(const Case& params, double time_left_s, const std::string&
         conclude(record, Status::runtime, e.what());
     }
     return record;
+}
+
+std::vector<Peak> Workbench::peaks(const Stage& progress) const {
+    return measure_peaks(device_, options_.timer, options_.kernel_dir,
+                         [&](const std::string& name) { progress("peak " + name, 0); });
 }
 
 Record Workbench::round(const Case& params, int samples, const Stage& progress) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bench/measure/disturbance.h"
+#include "bench/measure/energy.h"
 #include "bench/measure/method.h"
 #include "bench/plan/config.h"
 #include "bench/record/record.h"
@@ -39,6 +40,9 @@ class Workbench {
     /// Some samples of a case that `run` found valid; their film is checked too. Throws what goes wrong.
     Record round(const Case& params, int samples, const Stage& progress);
 
+    /// What the device can do at most. Throws what goes wrong.
+    std::vector<Peak> peaks(const Stage& progress) const;
+
     /// Device time of one pixel sample of this case, ns. Throws what goes wrong.
     double estimate(const Case& params);
 
@@ -70,6 +74,7 @@ class Workbench {
     std::filesystem::path data_folder_;
     TimerWatch timer_;
     Disturbances disturbances_;
+    std::optional<EnergyMeter> energy_;  ///< once a case is to be timed
     std::map<std::string, Scene> scenes_;
     std::map<std::string, BuiltKernel> built_;       ///< by kernel, scene, lanes
     std::map<std::string, Validation> validations_;  ///< by kernel, scene, path length, lanes

@@ -7,7 +7,6 @@
 #include <functional>
 #include <limits>
 #include <set>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -117,10 +116,16 @@ std::string read_text(const std::filesystem::path& file) {
     errno = 0;
     std::ifstream stream(file, std::ios::binary);
     if (!stream) fail(std::strerror(errno));
-    std::ostringstream text;
-    text << stream.rdbuf();
+    const auto bytes = std::filesystem::file_size(file, error);  // of a pipe nobody knows
+    bool too_large = !error && bytes > most_text;
+    std::string text;
+    for (std::string block(1 << 16, '\0'); stream && !too_large; too_large = text.size() > most_text) {
+        stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+        text.append(block, 0, static_cast<std::size_t>(stream.gcount()));
+    }
     if (stream.bad()) fail(std::strerror(errno));
-    return std::move(text).str();
+    if (too_large) fail(fmt::format("it is larger than {} MiB", most_text >> 20));
+    return text;
 }
 
 const Json& member(const Json& object, const Where& where, const std::string& key) {

@@ -41,7 +41,10 @@ class Where {
 /// Throws UsageError with `origin`, on one line.
 Json parse_json(std::string_view text, const std::string& origin);
 
-/// The whole file; throws UsageError when it cannot be read.
+/// Bytes of the largest text that is read.
+inline constexpr std::uintmax_t most_text = std::uintmax_t{256} << 20;
+
+/// The whole file; throws UsageError when it cannot be read, or is larger than `most_text`.
 std::string read_text(const std::filesystem::path& file);
 
 /// A member of an object. Throws UsageError when `object` is none, or has no such member.

@@ -1,5 +1,7 @@
 #include "core/ocl/program.h"
 
+#include <charconv>
+
 #include <fmt/format.h>
 
 namespace ptb::ocl {
@@ -17,6 +19,31 @@ std::string build_log(const cl::Program& program, const cl::Device& device) {
     return log;
 }
 
+/// Asks NVIDIA's compiler for registers and spills; the code is the same.
+std::string asked_log(const Device& device) {
+    return device.info.platform == "NVIDIA CUDA" ? " -cl-nv-verbose" : "";
+}
+
+std::optional<std::uint64_t> number_between(std::string_view text, std::string_view before,
+                                            std::string_view after) {
+    const auto end = text.find(after);
+    const auto begin = end == text.npos ? text.npos : text.rfind(before, end);
+    if (begin == text.npos) return std::nullopt;
+    const char* const first = text.data() + begin + before.size();
+    std::uint64_t value = 0;
+    if (std::from_chars(first, text.data() + end, value).ptr != text.data() + end) return std::nullopt;
+    return value;
+}
+
+std::optional<std::uint64_t> binary_bytes(const cl::Program& program) {
+    try {
+        const auto sizes = program.getInfo<CL_PROGRAM_BINARY_SIZES>();
+        if (sizes.size() == 1 && sizes[0] > 0) return sizes[0];
+    } catch (const cl::Error&) {  // some drivers keep none
+    }
+    return std::nullopt;
+}
+
 /// The first line of a log that speaks of an error, else its first line.
 std::string first_error(const std::string& log) {
     const auto at = log.find("error");
@@ -31,7 +58,8 @@ Program build(const Device& device, const KernelSource& source, const std::strin
         Program built{cl::Program(device.context, source.text), options, source.hash, source.overridden, ""};
         // Not the binding's build(): where a driver has no log either, that one throws away the error.
         const cl_device_id id = device.device();
-        const cl_int code = clBuildProgram(built.program(), 1, &id, options.c_str(), nullptr, nullptr);
+        const std::string all = options + asked_log(device);
+        const cl_int code = clBuildProgram(built.program(), 1, &id, all.c_str(), nullptr, nullptr);
         built.log = build_log(built.program, device.device);
         if (code == CL_BUILD_PROGRAM_FAILURE || code == CL_COMPILE_PROGRAM_FAILURE)
             throw BuildError(
@@ -43,6 +71,15 @@ Program build(const Device& device, const KernelSource& source, const std::strin
     });
 }
 
+LogFacts log_facts(std::string_view log, std::string_view kernel) {
+    const auto begin = log.find(fmt::format("entry function '{}'", kernel));
+    if (begin == log.npos) return {};
+    log = log.substr(begin);
+    log = log.substr(0, log.find("entry function", 1));
+    return {number_between(log, "Used ", " registers"), number_between(log, ", ", " bytes spill stores"),
+            number_between(log, ", ", " bytes spill loads")};
+}
+
 KernelFacts kernel_facts(const Device& device, const cl::Kernel& kernel) {
     return checked("kernel facts", device.info.name, [&] {
         KernelFacts facts;
@@ -51,6 +88,9 @@ KernelFacts kernel_facts(const Device& device, const cl::Kernel& kernel) {
             kernel.getWorkGroupInfo<CL_KERNEL_PREFERRED_WORK_GROUP_SIZE_MULTIPLE>(device.device);
         facts.local_bytes = kernel.getWorkGroupInfo<CL_KERNEL_LOCAL_MEM_SIZE>(device.device);
         facts.private_bytes = kernel.getWorkGroupInfo<CL_KERNEL_PRIVATE_MEM_SIZE>(device.device);
+        const cl::Program program = kernel.getInfo<CL_KERNEL_PROGRAM>();
+        facts.binary_bytes = binary_bytes(program);
+        facts.log = log_facts(build_log(program, device.device), kernel.getInfo<CL_KERNEL_FUNCTION_NAME>());
         return facts;
     });
 }

@@ -6,8 +6,8 @@ import signal
 import time
 import unittest
 
-from formats import schema_errors
 from ptbench import BINARY, SOURCE, CliTest
+from validate_schema import schema_errors
 
 SCHEMA = SOURCE / "configs/schema/ab.schema.json"
 # A case of some milliseconds; its validation takes less than a second a side.

@@ -5,6 +5,10 @@ import json
 import unittest
 
 from ptbench import ONE, SOURCE, TINY, CliTest, Scratch, changed
+from validate_schema import schema_errors
+
+
+SCHEMA = SOURCE / "configs/schema/compare.schema.json"
 
 
 class CompareTest(CliTest):
@@ -35,7 +39,9 @@ class CompareTest(CliTest):
                 for i in range(count)]
 
     def compare(self, *words, code=0):
+        """States and advisories; the file keeps to its schema."""
         self.ran = self.run_ok("compare", *words, "--json", "compared.json", code=code)
+        self.assertEqual(schema_errors(SCHEMA, self.scratch.work / "compared.json"), "")
         rows = json.loads((self.scratch.work / "compared.json").read_text())["rows"]
         return [(row["finding"]["state"], row["advisory"]) for row in rows]
 
@@ -194,6 +200,10 @@ class Baselines(CliTest):
         compared = self.run_ok(*ONE, "--out", "out", "--baseline", "main", "-q")
         self.assertIn("single-session", compared.stdout)
         self.assertIn("base: ptbench-baselines/main.json; new: this run", compared.stdout)
+        verdict = self.scratch.result()["verdict"]
+        self.assertEqual([row["advisory"] for row in verdict["rows"]], ["single-session"])
+        self.assertEqual(schema_errors(SCHEMA, self.scratch.work / self.scratch.write("verdict.json", verdict)), "")
+        self.assertEqual(schema_errors(SCHEMA.with_name("result.schema.json"), self.scratch.work / "out/result.json"), "")
         by_file = self.run_ok(*ONE, "--out", "out", "--baseline", "ptbench-baselines/main.json", "-q", "--csv", "-")
         self.assertNotIn("single-session", by_file.stdout)
         self.assertIn("single-session", by_file.stderr)

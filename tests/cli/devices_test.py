@@ -112,6 +112,7 @@ class Listing(CliTest):
         self.assertLessEqual({"quick", "thesis", "ci"}, set(listing["configs"]))
         self.assertIn("work_group", listing["axes"])
         self.assertEqual(listing["broken_icds"], [])
+        self.assertEqual(listing["peaks"], [])
 
     def test_text_has_the_facts_that_matter(self):
         text = self.run_ok("list").stdout

@@ -1,17 +1,7 @@
-"""Readers of what ptbench writes, and the schemas it keeps to."""
+"""Readers of what ptbench writes."""
 
-import pathlib
 import struct
-import subprocess
-import sys
 import zlib
-
-VALIDATOR = pathlib.Path(__file__).parent / "validate_schema.py"
-
-
-def schema_errors(schema, *files):
-    words = [sys.executable, VALIDATOR, schema, *files]
-    return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False).stderr
 
 
 def png_size(data):

@@ -4,8 +4,8 @@ import csv
 import io
 import unittest
 
-from formats import schema_errors
 from ptbench import SOURCE, CliTest
+from validate_schema import schema_errors
 
 # As TINY, without a number of samples.
 ADAPTIVE = ("-d", "pocl:1", "--kernel", "pt", "--size", "32", "--path-length", "2", "--wg", "implicit",
@@ -35,6 +35,19 @@ class Measuring(CliTest):
             self.assertGreaterEqual(statistics["n"], 10)
         else:
             self.assertIn(statistics["stop_reason"], ("max_time", "max_samples"))
+
+    def test_peaks_are_in_the_file_and_in_the_report(self):
+        result = self.run_cases("--spp", "1", "--samples", "1", "--peaks")
+        ((device, peaks),) = [(each["device"], each["peaks"]) for each in result["peaks"]]
+        self.assertEqual(device, "pocl:1")
+        self.assertEqual({peak["name"]: peak["reason"] for peak in peaks},
+                         dict.fromkeys(("fma", "sqrt", "division", "global", "constant", "launch"), ""))
+        self.assertRegex(self.output, r"pocl:1 +fma +[\d.]+ +GFLOP/s")
+
+    def test_energy_has_joules_or_a_reason(self):
+        (case,) = self.run_cases("--spp", "1", "--samples", "2")["cases"]
+        energy = case["energy"]
+        self.assertNotEqual(energy["joules"] is None, energy["reason"] == "", energy)
 
     def test_caps_on_samples(self):
         (case,) = self.run_cases("--spp", "4", "--max-samples", "4")["cases"]

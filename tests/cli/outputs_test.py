@@ -4,24 +4,31 @@ import csv
 import io
 import json
 import os
+import pathlib
 import subprocess
 import unittest
 
-from formats import png_size, schema_errors
+from formats import png_size
 from ptbench import BINARY, ONE, SOURCE, TINY, CliTest, Scratch, changed
+from validate_schema import schema_errors
 
+BINARY_DIR = pathlib.Path(os.environ["PTB_BINARY_DIR"])
 SCHEMA = SOURCE / "configs/schema/result.schema.json"
 
 
 class TwoDevices(unittest.TestCase):
-    """One run on both devices; its files are looked at from all sides."""
+    """One run on both devices where numbers have commas; its files are looked at from all sides."""
 
     @classmethod
     def setUpClass(cls):
         cls.scratch = Scratch()
         cls.addClassCleanup(cls.scratch.remove)
         cls.words = changed(TINY, spp="2,5", size="24x16")
-        cls.ran = cls.scratch.run(*cls.words, "--out", "out", "--csv", "asked.csv")
+        german = {"LC_ALL": "de_DE.UTF-8", "LOCPATH": str(BINARY_DIR / "locales")}
+        point = subprocess.run(["locale", "decimal_point"], env={**os.environ, **german}, capture_output=True, text=True,
+                               check=True).stdout
+        assert point == ",\n", f"no German locale here: {point}"
+        cls.ran = cls.scratch.run(*cls.words, "--out", "out", "--csv", "asked.csv", **german)
         assert cls.ran.returncode == 0, cls.ran.stdout + cls.ran.stderr
 
     def file(self, name):

@@ -4,8 +4,8 @@ import json
 import re
 import unittest
 
-from formats import schema_errors
 from ptbench import ONE, SOURCE, TINY, CliTest
+from validate_schema import schema_errors
 
 FLAGS = ("-d", "pocl:1", "--kernel", "pt", "--size", "16,24x8", "--spp", "1:4:x2", "--path-length", "5", "--wg",
          "implicit,64,8x8", "--lanes", "4")

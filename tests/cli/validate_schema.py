@@ -26,14 +26,19 @@ def violations(validator, path):
     return [f"{path}: /{'/'.join(map(str, e.absolute_path))}: {e.message[:300]}" for e in errors]
 
 
+def schema_errors(schema_file, *files):
+    """Every violation on a line of its own."""
+    schema = load(schema_file)
+    kind = jsonschema.validators.validator_for(schema)
+    kind.check_schema(schema)
+    return "\n".join(line for path in files for line in violations(kind(schema), path))
+
+
 def main(argv):
     if len(argv) < 3:
         sys.exit(__doc__)
-    schema = load(argv[1])
-    kind = jsonschema.validators.validator_for(schema)
-    kind.check_schema(schema)
-    found = [line for path in argv[2:] for line in violations(kind(schema), path)]
-    print("\n".join(found), end="\n" if found else "", file=sys.stderr)
+    found = schema_errors(*argv[1:])
+    print(found, end="\n" if found else "", file=sys.stderr)
     return 1 if found else 0
 
 

@@ -2,8 +2,8 @@
 
 import os
 
-from formats import schema_errors
 from ptbench import ONE, SOURCE, CliTest, changed
+from validate_schema import schema_errors
 
 LAYER = os.environ["PTB_FAULT_LAYER"]
 SCHEMA = SOURCE / "configs/schema/result.schema.json"

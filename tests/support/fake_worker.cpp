@@ -119,6 +119,14 @@ void answer_round(const Request& request) {
     say(to_line(response));
 }
 
+void answer_peaks() {
+    misbehave(variable("FAKE_PEAKS"));
+    Response response;
+    response.kind = Response::Kind::peaks;
+    response.peaks = {{"fma", "GFLOP/s", 100, 99, 101, 10, "event", ""}};
+    say(to_line(response));
+}
+
 void answer(const Request& request) {
     switch (request.kind) {
         case Request::Kind::open:
@@ -129,6 +137,8 @@ void answer(const Request& request) {
             return answer_run(request);
         case Request::Kind::round:
             return answer_round(request);
+        case Request::Kind::peaks:
+            return answer_peaks();
     }
 }
 

@@ -67,6 +67,21 @@ struct WorkerVariable {
     ~WorkerVariable() { ::unsetenv(name.c_str()); }
 };
 
+std::vector<DevicePeaks> fake_peaks(const std::string& how) {
+    const WorkerVariable variable("FAKE_PEAKS", how);
+    return Coordinator(plan_of({}), fake_channels(), never()).peaks();
+}
+
+TEST(coordinator, peaks_come_from_each_device_or_have_a_reason) {
+    const Peak fma{"fma", "GFLOP/s", 100, 99, 101, 10, "event", ""};
+    EXPECT_EQ(fake_peaks(""), (std::vector<DevicePeaks>{{"fake:0", "", {fma}}}));
+    const auto dead = fake_peaks("abort").at(0);
+    EXPECT_NE(dead.reason.find("SIGABRT"), std::string::npos) << dead.reason;
+    EXPECT_TRUE(dead.peaks.empty());
+    const WorkerVariable refused("FAKE_OPEN", "refuse");
+    EXPECT_EQ(fake_peaks("").at(0).reason, "fake:0 cannot be opened: no such device");
+}
+
 TEST(coordinator, a_worker_that_dies_costs_one_record) {
     const auto records =
         run(plan_of({make_case("good", 1), make_case("sigkill"), make_case("good", 2), make_case("hang"),

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <locale>
 
 #include <gmock/gmock.h>
 
@@ -89,18 +88,6 @@ TEST(Csv, every_line_has_as_many_cells_as_the_header) {
 
 TEST(Csv, samples_are_integer_nanoseconds) {
     EXPECT_THAT(second_line(csv_samples(one_case())), HasSubstr(",ok,,0,1234567,1234567,1300000,5,6,"));
-}
-
-struct Comma : std::numpunct<char> {
-    char do_decimal_point() const override { return ','; }
-};
-
-TEST(Csv, the_locale_changes_nothing) {
-    const auto before = csv(one_case());
-    const std::locale old = std::locale::global(std::locale(std::locale::classic(), new Comma));
-    const auto after = csv(one_case());
-    std::locale::global(old);
-    EXPECT_EQ(after, before);
 }
 
 }  // namespace

@@ -25,7 +25,9 @@ TEST(Protocol, requests_survive_the_line) {
     Request estimate = run_request();
     estimate.kind = Request::Kind::estimate;
     estimate.time_left_s.reset();
-    for (const Request& request : {open, run_request(), estimate}) {
+    Request peaks;
+    peaks.kind = Request::Kind::peaks;
+    for (const Request& request : {open, run_request(), estimate, peaks}) {
         const auto line = to_line(request);
         EXPECT_THAT(line, EndsWith("}\n"));
         EXPECT_EQ(line.find('\n'), line.size() - 1) << "a message is one line";
@@ -43,11 +45,14 @@ TEST(Protocol, responses_survive_the_line) {
     failed.kind = Response::Kind::failed;
     failed.reason = "no such device";
     done.kind = Response::Kind::record;
-    done.record = Record{run_request().params, Status::crash, "SIGSEGV (11)", {}, {}, {}, {}, {}};
+    done.record = Record{run_request().params, Status::crash, "SIGSEGV (11)", {}, {}, {}, {}, {}, {}};
     Response estimate;
     estimate.kind = Response::Kind::estimate;
     estimate.ns_per_sample = 12.75;
-    for (const Response& response : {ready, progress, failed, done, estimate})
+    Response peaks;
+    peaks.kind = Response::Kind::peaks;
+    peaks.peaks = {{"fma", "GFLOP/s", 100, 99, 101, 10, "event", ""}, {"sqrt", "", {}, {}, {}, 0, "", "no"}};
+    for (const Response& response : {ready, progress, failed, done, estimate, peaks})
         EXPECT_EQ(parse_response(to_line(response)), response);
 }
 

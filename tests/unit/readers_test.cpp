@@ -129,6 +129,14 @@ TEST_F(Readers, a_gate_reads_back_to_the_same_value) {
     EXPECT_EQ(rows_of(gate).at(0).name, "pt thesis 8x8 spp 1 length 128");
 }
 
+TEST_F(Readers, a_gate_says_where_samples_are_too_long) {
+    GateFile gate = gate_file();
+    gate.findings[0].base_ns = 99e6;
+    EXPECT_EQ(rows_of(gate).at(0).note, "");
+    gate.findings[0].now_ns = 101e6;
+    EXPECT_EQ(rows_of(gate).at(0).note, "samples over 100 ms: fewer spp see more");
+}
+
 TEST_F(Readers, a_gate_that_cannot_be_decided_is_refused) {
     const auto refused = [&](const auto& change) {
         GateFile gate = gate_file();
