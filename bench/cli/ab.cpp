@@ -1,9 +1,8 @@
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "bench/cli/ab_plan.h"
 #include "bench/cli/commands.h"
+#include "bench/cli/device_gate.h"
 #include "bench/cli/exit_code.h"
 #include "bench/cli/interrupt.h"
 #include "bench/cli/judged.h"
@@ -15,48 +14,6 @@ namespace ptb {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Measures the cases of one device: validation, screen, and fresh blocks for suspects.
-class DeviceGate {
-  public:
-    DeviceGate(PairedRun& run, const std::string& key, const Options& options)
-        : run_(run), key_(key), options_(options) {}
-
-    void measure(std::vector<PairedCase>& cases) {
-        say(fmt::format("validating {} cases on both sides", cases.size()));
-        for (PairedCase& c : cases) {
-            if (run_.stopped()) return;
-            run_.validate(c);
-        }
-        take(cases, false);
-        take(cases, true);
-    }
-
-  private:
-    void take(std::vector<PairedCase>& all, bool confirm) {
-        std::vector<PairedCase*> cases;
-        for (PairedCase& c : all)
-            if (c.gate.not_measured.empty() && (!confirm || suspect(c.gate))) cases.push_back(&c);
-        if (cases.empty()) return;
-        const char* const name = confirm ? "confirm" : "screen";
-        const int blocks = confirm ? confirm_blocks : screen_blocks;
-        const double start_s = steady_seconds();
-        const auto told = [&](int done) {
-            const double left_s = (steady_seconds() - start_s) / done * (blocks - done);
-            if (done == 1 || done == blocks)
-                say(fmt::format("{}: block {} of {}, {} cases, {} left", name, done, blocks, cases.size(),
-                                duration_text(left_s)));
-        };
-        take_blocks(run_, cases, confirm ? &GateCase::confirm : &GateCase::screen, blocks,
-                    options_.ab.shuffle_seed + (confirm ? 1 : 0), told);
-    }
-
-    void say(const std::string& what) const { tell(options_.common, fmt::format("[{}] {}", key_, what)); }
-
-    PairedRun& run_;
-    std::string key_;
-    const Options& options_;
-};
 
 GateFile started(const AbPlan& plan, const Options& options, const std::vector<std::string>& argv) {
     GateFile gate;
@@ -100,7 +57,7 @@ void measure(const AbPlan& plan, const Options& options, CasesOfDevices& cases, 
     const double start_s = steady_seconds();
     for (std::size_t i = 0; i < cases.size(); ++i) {
         PairedRun run = paired_run(plan, gate.devices[i], options.common, stopped);
-        DeviceGate(run, gate.devices[i].key, options).measure(cases[i]);
+        measure_pairs(run, gate.devices[i].key, options.common, options.ab.shuffle_seed, cases[i]);
         for (const PairedCase& c : cases[i]) {
             gate.cases.push_back(c.gate);
             gate.base_records.push_back(c.base);

@@ -135,6 +135,8 @@ void add_run(CLI::App& app, RunFlags& flags, bool& list) {
     option(app, "--resume", flags.resume, "go on with the run of this journal or result file")
         ->check(CLI::ExistingFile);
     add_baselines(app, flags);
+    flag(app, "--no-tune,--no-tuned", flags.no_tuned, "ignore what `ptbench tune` stored");
+    option(app, "--tune-file", flags.tune_file, "where it did [$XDG_CONFIG_HOME/ptbench/tune.json]");
     flag(app, "--dry-run", flags.dry_run, "print the plan with its predicted cost");
     flag(app, "--dump-config", flags.dump_config, "print the config and end");
     app.add_flag("-l,--list", list, "same as `ptbench list`");
@@ -143,7 +145,7 @@ void add_run(CLI::App& app, RunFlags& flags, bool& list) {
 /// The command line's grammar, bound to `options`.
 struct Grammar {
     CLI::App app{description, "ptbench"};
-    CLI::App *list, *render, *compare, *ab, *worker;
+    CLI::App *list, *render, *compare, *ab, *tune, *doctor, *worker;
     bool list_flag = false;
 
     explicit Grammar(Options& options) {
@@ -161,11 +163,19 @@ struct Grammar {
         ab = app.add_subcommand("ab", "measure two versions alternately, and decide what changed");
         add_ab_flags(*ab, options.ab);
         add_common_flags(*ab, options.common);
+        tune = app.add_subcommand("tune",
+                                  "race lane widths and work-groups of a kernel; the best serve later runs");
+        add_tune_flags(*tune, options.tune);
+        add_common_flags(*tune, options.common);
+        doctor = app.add_subcommand("doctor",
+                                    "what disturbs measurements here, and how small a change can be seen");
+        add_doctor_flags(*doctor, options.doctor);
+        add_common_flags(*doctor, options.common);
         worker = app.add_subcommand("worker", "answer requests on stdin; started by ptbench itself");
         worker->group("");
         worker->add_option("--device", options.worker.device, "key of the device");
         worker->add_flag("--probe", options.worker.probe, "print the devices and end");
-        for (auto* command : {&app, list, render, compare, ab, worker}) {
+        for (auto* command : {&app, list, render, compare, ab, tune, doctor, worker}) {
             command->set_version_flag("--version", std::string("ptbench ") + version::tool);
             command->allow_extras();
         }
@@ -182,7 +192,7 @@ struct Grammar {
     }
 
     const CLI::App& used() const {
-        for (const auto* command : {list, render, compare, ab, worker}) {
+        for (const auto* command : {list, render, compare, ab, tune, doctor, worker}) {
             if (command->parsed()) return *command;
         }
         return app;
@@ -207,9 +217,9 @@ void refuse_leftovers(const Grammar& grammar, const std::string& first_word) {
                                      did_you_mean(word, known_flags(grammar.used()))));
     }
     if (word != first_word) throw UsageError(fmt::format("unexpected word \"{}\"", printable(left.front())));
-    throw UsageError(fmt::format("unknown command {}{}; commands: run, list, render, compare, ab",
-                                 printable(word),
-                                 did_you_mean(word, {"run", "list", "render", "compare", "ab"})));
+    throw UsageError(fmt::format(
+        "unknown command {}{}; commands: run, list, render, compare, ab, tune, doctor", printable(word),
+        did_you_mean(word, {"run", "list", "render", "compare", "ab", "tune", "doctor"})));
 }
 
 /// What stands before a command would be of `run`, and would do nothing.
@@ -224,6 +234,8 @@ Options::Command command_of(const Grammar& grammar) {
     if (grammar.render->parsed()) return Options::Command::render;
     if (grammar.compare->parsed()) return Options::Command::compare;
     if (grammar.ab->parsed()) return Options::Command::ab;
+    if (grammar.tune->parsed()) return Options::Command::tune;
+    if (grammar.doctor->parsed()) return Options::Command::doctor;
     return grammar.worker->parsed() ? Options::Command::worker : Options::Command::run;
 }
 

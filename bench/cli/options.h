@@ -31,7 +31,9 @@ struct RunFlags {
     bool skip_time = false, dry_run = false, dump_config = false, no_isolate = false;
     std::string json, csv, csv_samples, md;  ///< files, or "-" for stdout
     std::string baseline, save_baseline, baseline_dir = "ptbench-baselines";
-    std::string out;  ///< folder of the run's outputs, or empty for one named after time and config
+    bool no_tuned = false;  ///< ignore what `tune` stored
+    std::string tune_file;  ///< where it did, or empty for the user's own
+    std::string out;        ///< folder of the run's outputs, or empty for one named after time and config
 };
 
 struct ListFlags {
@@ -76,9 +78,20 @@ struct CompareFlags {
     JudgeFlags judge;
 };
 
+/// Flags of `tune`: the candidates, and where the result is stored.
+struct TuneFlags {
+    RunFlags run;
+};
+
+struct DoctorFlags {
+    std::vector<std::string> devices;
+    bool no_aa = false;
+    std::string json;  ///< file, or "-" for stdout
+};
+
 /// A parsed command line.
 struct Options {
-    enum class Command { run, list, render, compare, ab, worker, text };
+    enum class Command { run, list, render, compare, ab, tune, doctor, worker, text };
     Command command = Command::run;
     std::string text;  ///< of --help or --version: print it and end
     CommonFlags common;
@@ -87,6 +100,8 @@ struct Options {
     RenderFlags render;
     CompareFlags compare;
     AbFlags ab;
+    TuneFlags tune;
+    DoctorFlags doctor;
     WorkerFlags worker;
 };
 

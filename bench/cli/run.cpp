@@ -17,6 +17,7 @@
 #include "bench/cli/plan_text.h"
 #include "bench/cli/resume.h"
 #include "bench/cli/tell.h"
+#include "bench/cli/tuned.h"
 #include "bench/measure/clock.h"
 #include "bench/measure/fit.h"
 #include "bench/plan/data_dir.h"
@@ -58,6 +59,7 @@ struct Prepared {
     Config config;
     PublishedTable published;
     DeviceList list;
+    std::vector<Case> tuned;  ///< what the plan takes where the config leaves a launch open
     std::vector<Case> planned;
     RunPlan plan;  ///< of the planned cases those that have no record
 };
@@ -76,7 +78,10 @@ Prepared prepare(const Options& options) {
     plan.measure = prepared.config.measure;
     plan.max_total_time_s = prepared.config.max_total_time_s;
     plan.devices = select_devices(prepared.config.devices, prepared.list.devices);
-    prepared.planned = plan.cases = expand(prepared.config, plan.devices);
+    prepared.tuned = prepared.earlier && !options.run.no_tuned
+                         ? prepared.earlier->run.tuned
+                         : stored_launches(options, prepared.config, plan.devices);
+    prepared.planned = plan.cases = expand(prepared.config, plan.devices, prepared.tuned);
     return prepared;
 }
 
@@ -224,6 +229,7 @@ int run_command(const Options& options, const std::vector<std::string>& argv) {
     tell_what_is_left_out(options.common, prepared.list);
     ResultFile result = start_result(prepared, options, argv);
     result.run.scenes = hashed_scenes(prepared.planned);
+    result.run.tuned = used_launches(prepared.tuned, prepared.planned);
     if (prepared.earlier) resume(options, prepared, result);
     const auto driver = only_driver(prepared.plan.devices);
     if (options.run.no_isolate) see_only(*driver);

@@ -99,7 +99,9 @@ void override_axis(Config& config, const Axis& axis);
 std::vector<DeviceInfo> select_devices(const std::vector<std::string>& selectors,
                                        const std::vector<DeviceInfo>& devices);
 
-/// All cases of the config on these devices: device-major, series in order, equal cases once.
-std::vector<Case> expand(const Config& config, const std::vector<DeviceInfo>& devices);
+/// All cases of the config on these devices: device-major, series in order, equal cases once. `tuned` serves
+/// where a series leaves the launch to the program (`apply_tuned`).
+std::vector<Case> expand(const Config& config, const std::vector<DeviceInfo>& devices,
+                         const std::vector<Case>& tuned = {});
 
 }  // namespace ptb

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "bench/plan/config.h"
+#include "bench/plan/tuned.h"
 
 namespace ptb {
 namespace {
@@ -47,15 +48,26 @@ std::vector<Case> expand_series(const Series& series) {
     return cases;
 }
 
-/// The plan of any one device: its key is still empty. Equal cases once.
-std::vector<Case> expand_for_any_device(const Config& config) {
-    std::vector<Case> cases;
+/// A series and its cases, their device still empty.
+using SeriesCases = std::vector<std::pair<Series, std::vector<Case>>>;
+
+SeriesCases expand_for_any_device(const Config& config) {
+    SeriesCases all;
+    for (const Series& series : config.series.empty() ? std::vector<Series>(1) : config.series)
+        all.emplace_back(series, expand_series(series));
+    return all;
+}
+
+/// Equal cases once.
+void append_for(const DeviceInfo& device, const SeriesCases& plan, const std::vector<Case>& tuned,
+                std::vector<Case>& cases) {
     std::set<Case> seen;
-    const auto series = config.series.empty() ? std::vector<Series>(1) : config.series;
-    for (const Series& one : series)
-        for (const Case& c : expand_series(one))
+    for (const auto& [series, series_cases] : plan)
+        for (Case c : series_cases) {
+            c.device = device.key;
+            apply_tuned(c, series, tuned);
             if (seen.insert(c).second) cases.push_back(c);
-    return cases;
+        }
 }
 
 }  // namespace
@@ -70,14 +82,11 @@ void check_case(const Case& c) {
                         c.spp, c.path_length, segments, limit));
 }
 
-std::vector<Case> expand(const Config& config, const std::vector<DeviceInfo>& devices) {
+std::vector<Case> expand(const Config& config, const std::vector<DeviceInfo>& devices,
+                         const std::vector<Case>& tuned) {
     const auto plan = expand_for_any_device(config);
     std::vector<Case> cases;
-    for (const DeviceInfo& device : devices)
-        for (Case c : plan) {
-            c.device = device.key;
-            cases.push_back(c);
-        }
+    for (const DeviceInfo& device : devices) append_for(device, plan, tuned, cases);
     return cases;
 }
 

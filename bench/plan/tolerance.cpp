@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/plan/tuned.h"
 #include "core/input/printable.h"
 
 namespace ptb {
@@ -34,6 +35,7 @@ Tolerances::Tolerances(const Config& config, std::optional<double> flag, double 
 }
 
 double Tolerances::of(Case c) const {
+    c = as_asked(c);
     c.device.clear();
     const auto found = of_case_.find(c);
     return found == of_case_.end() ? otherwise_ : found->second;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/plan/tuned.h"
 #include "core/input/json.h"
 #include "core/input/printable.h"
 
@@ -49,6 +50,11 @@ void add_kernels(RunFingerprint& facts, const ResultFile& run) {
             facts["kernel " + record.params.kernel] = record.build->kernel_hash;
 }
 
+void add_tuned(RunFingerprint& facts, const ResultFile& run) {
+    for (const Case& best : run.run.tuned)
+        facts[fmt::format("tuning of {} on {}", best.kernel, best.device)] = launch_text(best);
+}
+
 std::string value_in(const RunFingerprint& facts, const std::string& name) {
     const auto found = facts.find(name);
     return found == facts.end() ? "nothing" : shortened(printable(found->second), most_shown);
@@ -63,6 +69,7 @@ RunFingerprint fingerprint_of(const ResultFile& run) {
     add_options(facts, run);
     add_scenes(facts, run);
     add_kernels(facts, run);
+    add_tuned(facts, run);
     return facts;
 }
 

@@ -21,8 +21,14 @@ std::string text_of(const char* file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// What follows `key` and `separator` on the first line that starts with `key`, without blanks and quotes.
-std::string value_of(std::string_view text, std::string_view key, char separator) {
+double load_of_last_minute() {
+    double load = 0;
+    return ::getloadavg(&load, 1) == 1 ? load : 0;
+}
+
+}  // namespace
+
+std::string value_after(std::string_view text, std::string_view key, char separator) {
     while (!text.empty()) {
         const auto end = text.find('\n');
         const std::string_view line = text.substr(0, end);
@@ -37,19 +43,12 @@ std::string value_of(std::string_view text, std::string_view key, char separator
     return {};
 }
 
-double load_of_last_minute() {
-    double load = 0;
-    return ::getloadavg(&load, 1) == 1 ? load : 0;
-}
+std::string cpu_model(std::string_view cpuinfo) { return value_after(cpuinfo, "model name", ':'); }
 
-}  // namespace
-
-std::string cpu_model(std::string_view cpuinfo) { return value_of(cpuinfo, "model name", ':'); }
-
-std::string os_name(std::string_view os_release) { return value_of(os_release, "PRETTY_NAME", '='); }
+std::string os_name(std::string_view os_release) { return value_after(os_release, "PRETTY_NAME", '='); }
 
 std::uint64_t total_memory(std::string_view meminfo) {
-    const std::string kilobytes = value_of(meminfo, "MemTotal", ':');
+    const std::string kilobytes = value_after(meminfo, "MemTotal", ':');
     std::uint64_t value = 0;
     std::from_chars(kilobytes.data(), kilobytes.data() + kilobytes.size(), value);
     return value * 1024;

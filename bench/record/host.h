@@ -17,6 +17,9 @@ RunInfo run_info(std::vector<std::string> argv, const std::string& config, std::
 /// "2016-05-17T09:30:00Z", now.
 std::string utc_now();
 
+/// What follows `key` and `separator` on the first line that starts with `key`, without blanks and quotes.
+std::string value_after(std::string_view text, std::string_view key, char separator);
+
 /// "model name" of /proc/cpuinfo, PRETTY_NAME of os-release, and MemTotal of meminfo in bytes.
 std::string cpu_model(std::string_view cpuinfo);
 std::string os_name(std::string_view os_release);

@@ -1,5 +1,7 @@
 #include "bench/record/json.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "bench/record/status.h"
@@ -9,6 +11,9 @@ namespace ptb {
 namespace {
 
 constexpr const char* schema = "ptbench.v1";
+constexpr const char* tune = "tune";
+constexpr std::pair<const char*, bool Case::*> origins[] = {{"lanes_from", &Case::lanes_tuned},
+                                                            {"work_group_from", &Case::work_group_tuned}};
 constexpr const char* integer_axes[] = {"spp", "path_length"};
 
 bool is_integer_axis(const std::string& axis) {
@@ -61,6 +66,8 @@ Json encode(const Case& c) {
         else
             json[axis] = case_value(c, axis);
     }
+    for (const auto& [key, from_tune] : origins)
+        if (c.*from_tune) json[key] = tune;
     return json;
 }
 
@@ -75,6 +82,10 @@ void decode(const Json& json, const Where& where, Case& c) {
         } catch (const UsageError& error) {
             at.fail(error.what());
         }
+    }
+    for (const auto& [key, from_tune] : origins) {
+        c.*from_tune = json.contains(key);
+        if (c.*from_tune && json[key] != tune) Where(where, key).refuse(json[key], tune);
     }
 }
 

@@ -136,7 +136,8 @@ struct RunInfo {
     ConfigText settings;                  ///< what flags made of the config
     std::vector<std::string> resumed_at;  ///< ISO 8601, UTC
     std::vector<std::string> scenes;      ///< of the plan: "furnace 9f86d081884c7d65", name and text_hash
-    double coordinator_cpu_s = 0;         ///< of the process that drives the workers: what measuring costs
+    std::vector<Case> tuned;       ///< what `ptbench tune` had found for devices and kernels of the plan
+    double coordinator_cpu_s = 0;  ///< of the process that drives the workers: what measuring costs
     bool operator==(const RunInfo&) const = default;
 };
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/plan/config.h"
+#include "bench/plan/tuned.h"
 #include "bench/record/status.h"
 #include "bench/report/sections.h"
 #include "bench/report/words.h"
@@ -63,6 +63,9 @@ Section remarks_section(const ResultFile& result) {
     if (result.run.interrupted)
         section.notes.push_back("interrupted: these are the cases measured until then");
     for (const auto& warning : result.warnings) section.notes.push_back("warning: " + warning);
+    for (const Case& best : result.run.tuned)
+        section.notes.push_back(fmt::format("tuned: {} on {} takes {} where the config leaves it open",
+                                            best.kernel, best.device, launch_text(best)));
     for (const BrokenIcd& icd : result.broken_icds)
         section.notes.push_back(icd.icd + " is not usable: " + icd.reason);
     for (const DeviceInfo& device : result.devices)

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/plan/config.h"
+#include "bench/plan/tuned.h"
 #include "bench/record/json.h"
 #include "bench/report/words.h"
 
@@ -44,7 +44,7 @@ namespace {
 std::vector<Record> like(const ResultFile& result, const PublishedTable& table, const PublishedRow& row) {
     std::vector<Record> records;
     for (const Record& record : result.cases) {
-        const Case& c = record.params;
+        const Case c = as_asked(record.params);
         const bool same = c.spp == row.spp && c.path_length == row.path_length && c.scene == table.scene;
         if (same && c.work_group.implicit() && timed(record)) records.push_back(record);
     }

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/plan/config.h"
+#include "bench/plan/tuned.h"
 #include "bench/report/sections.h"
 #include "bench/report/words.h"
 
@@ -16,8 +16,10 @@ const std::vector<std::string> optional_axes = {"scene", "path_length", "lanes"}
 /// Timed records with implicit work-groups: those that every device can be compared in.
 std::vector<Record> comparable(const ResultFile& result) {
     std::vector<Record> records;
-    for (const Record& record : result.cases)
+    for (Record record : result.cases) {
+        record.params = as_asked(record.params);
         if (timed(record) && record.params.work_group.implicit()) records.push_back(record);
+    }
     return records;
 }
 

@@ -13,7 +13,7 @@ class NoDriver(CliTest):
         (self.scratch.icds / "pocl.icd").unlink()
 
     def test_no_driver_at_all_says_what_to_install(self):
-        for words in ((), ("-d", "gpu"), ("render", "-o", "x.png"), ("--dry-run",)):
+        for words in ((), ("-d", "gpu"), ("render", "-o", "x.png"), ("--dry-run",), ("tune",)):
             with self.subTest(words):
                 self.assert_refused(*words, code=77, says=["no OpenCL device", "apt-get install pocl-opencl-icd"])
 

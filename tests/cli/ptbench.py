@@ -46,7 +46,7 @@ class Scratch:
 
     def environment(self, **variables):
         kept = {name: value for name, value in os.environ.items() if not name.startswith("PTBENCH")}
-        return {**kept, "OCL_ICD_VENDORS": str(self.icds), "OCL_ICD_FILENAMES": "",
+        return {**kept, "XDG_CONFIG_HOME": str(self.root / "config"), "OCL_ICD_VENDORS": str(self.icds), "OCL_ICD_FILENAMES": "",
                 "TMPDIR": str(self.root / "tmp"), **variables}
 
     def start(self, *words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, **variables):

@@ -32,6 +32,10 @@ class Readme(CliTest):
             words[words.index("gpu")] = "cpu"  # this test has none
         if words[0] == "ab":
             words = [BINARY if word.endswith("bin/ptbench") else word for word in words] + [*SMALL, "--tolerance", "100%"]
+        elif words[0] == "tune":
+            words += [*SMALL[2:], "--lanes", "16"]
+        elif words[0] == "doctor":
+            words.append("--no-aa")
         elif not any(part in line for part in SHORT):
             words.append("--dry-run")
         result = self.run_ok(*words, POCL_DEVICES="pthread")

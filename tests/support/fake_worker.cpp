@@ -90,11 +90,14 @@ void answer_run(const Request& request) {
     response.kind = Response::Kind::record;
     response.record.emplace();
     response.record->params = request.params;
-    response.record->status = request.params.scene == "unstable" ? Status::unstable : Status::ok;
+    response.record->status = request.params.scene == "unstable"  ? Status::unstable
+                              : request.params.scene == "invalid" ? Status::invalid
+                                                                  : Status::ok;
     response.record->statistics.emplace();
     response.record->statistics->n = ::getpid();  // lets a test see which process answered
     response.record->statistics->max_ns = request.time_left_s.value_or(-1);
     response.record->statistics->timer_reason = request.image_file;
+    if (request.params.scene.ends_with("by-host")) response.record->statistics->timer = "host";
     say(to_line(response));
 }
 
@@ -110,6 +113,7 @@ void answer_round(const Request& request) {
     TimeSample sample;
     sample.kernel_ns = scene == "slower" ? 1'020'000 : 1'000'000;
     sample.host_ns = 3'000'000;
+    if (scene == "slow-by-host") sample.host_ns = 6'000'000;
     if (scene == "faulty-timer") sample.cause = "timer_fault";
     response.record->samples.assign(static_cast<std::size_t>(request.samples), sample);
     say(to_line(response));

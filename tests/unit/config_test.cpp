@@ -49,7 +49,7 @@ TEST(Config, every_key_is_read) {
 }
 
 TEST(Config, dumped_config_reads_back_to_the_same_value) {
-    for (const char* name : {"quick", "thesis", "ci"}) {
+    for (const char* name : {"quick", "thesis", "ci", "tune", "doctor"}) {
         const Config config = load_config(name, configs);
         EXPECT_EQ(config.name, name);
         EXPECT_EQ(parse_config(dump_config(config), "dump"), config);
@@ -176,7 +176,8 @@ TEST(Config, unknown_name_lists_what_there_is) {
         load_config("quik", configs);
         FAIL() << "a config that is not there was loaded";
     } catch (const UsageError& error) {
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("did you mean quick?"), HasSubstr("ci, quick, thesis")));
+        EXPECT_THAT(error.what(),
+                    AllOf(HasSubstr("did you mean quick?"), HasSubstr("ci, doctor, quick, thesis, tune")));
     }
     EXPECT_THROW(load_config("quick", "/nowhere"), UsageError);
     EXPECT_THROW(load_config("", configs), UsageError);

@@ -42,6 +42,13 @@ TEST(fingerprint, names_what_differs_and_both_values) {
                                             "kernel pt (was abc, is def)", "option samples (was 5, is 9)"));
 }
 
+TEST(fingerprint, a_tuned_launch_is_another_launch) {
+    ResultFile other = run();
+    other.run.tuned = {Case{"pocl:0", "pt", "thesis", {8, 8}, 1, 5, {64, 0}, 16}};
+    EXPECT_THAT(changed(other),
+                ElementsAre("tuning of pt on pocl:0 (was nothing, is lanes 16, work-group 64)"));
+}
+
 TEST(fingerprint, a_device_that_one_side_lacks_differs_unless_it_is_not_used) {
     ResultFile other = run();
     other.devices.push_back(other.devices[0]);

@@ -72,7 +72,8 @@ ResultFile full_result() {
              2.5,
              {"{\"name\":\"quick\"}"},
              {"2026-01-02T00:00:00Z"},
-             {"a.json 12"}};
+             {"a.json 12"},
+             {failed_record().params}};
     f.host = {"box", "Linux", "6.1", "FX-6300", 6, 1u << 30, 0.5};
     DeviceInfo d;
     d.key = "pocl:0";
