@@ -141,7 +141,7 @@ void add_run(CLI::App& app, RunFlags& flags, bool& list) {
     option(app, "--resume", flags.resume, "go on with the run of this journal or result file")
         ->check(CLI::ExistingFile);
     add_baselines(app, flags);
-    flag(app, "--no-tune,--no-tuned", flags.no_tuned, "ignore what `ptbench tune` stored");
+    flag(app, "--no-tune", flags.no_tuned, "ignore what `ptbench tune` stored");
     option(app, "--tune-file", flags.tune_file, "where it did [$XDG_CONFIG_HOME/ptbench/tune.json]");
     flag(app, "--peaks", flags.peaks, "also measure what the devices can do at most");
     flag(app, "--dry-run", flags.dry_run, "print the plan with its predicted cost");

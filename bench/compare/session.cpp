@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "bench/compare/row.h"
 #include "bench/measure/statistics.h"
+#include "bench/plan/tuned.h"
 #include "bench/record/json.h"
 
 namespace ptb {
@@ -23,16 +25,22 @@ std::vector<double> times_of(const Record& record) {
     return 2 * clean.size() >= all.size() ? clean : all;
 }
 
+/// What nobody named, and tuning chose.
+std::string launch_tuned(const Case& c) { return c == as_asked(c) ? "no" : launch_text(c); }
+
 SessionCase case_of(const ResultFile& result, const Record& record) {
     DeviceInfo device;
     for (const DeviceInfo& each : result.devices)
         if (each.key == record.params.device) device = each;
     SessionCase c;
     c.device = record.params.device;
-    c.name = case_text(record.params);
+    c.name = case_text(as_asked(record.params));
     c.params = record.params;
     c.no_time = record.status == Status::ok ? "" : record.reason;
-    c.fingerprint = {{"device", device.name}, {"driver", device.driver_version}, {"CPU", result.host.cpu}};
+    c.fingerprint = {{"device", device.name},
+                     {"driver", device.driver_version},
+                     {"CPU", result.host.cpu},
+                     {"tuned", launch_tuned(record.params)}};
     if (record.build) c.fingerprint.emplace_back("kernel hash", record.build->kernel_hash);
     if (record.build) c.fingerprint.emplace_back("build options", record.build->options);
     if (!record.statistics) {
@@ -56,7 +64,13 @@ double SessionCase::median_ns() const {
 
 Session session_of(const ResultFile& result, const std::string& file) {
     Session session{file, result.run.started_at, {}};
-    for (const Record& record : result.cases) session.cases.push_back(case_of(result, record));
+    std::map<Case, int> asked;
+    for (const Record& record : result.cases) ++asked[as_asked(record.params)];
+    for (const Record& record : result.cases) {
+        SessionCase& c = session.cases.emplace_back(case_of(result, record));
+        // One series leaves open what another names: two cases, which were one without tuning.
+        if (asked[as_asked(record.params)] > 1) c.name = case_text(record.params);
+    }
     return session;
 }
 

@@ -11,6 +11,9 @@ namespace ptb {
 
 namespace {
 
+/// All of the screen's blocks: fewer, of an interrupted run, say nothing of the noise.
+bool complete(const SelfComparison& aa) { return aa.finding.n >= screen_blocks; }
+
 Json aa_json(const SelfComparison& aa) {
     return {{"device", aa.device.key},
             {"params", encode(aa.gate.base)},
@@ -45,8 +48,8 @@ void add_device_remarks(Diagnosis& diagnosis) {
     for (const Remark& remark : driver_remarks(diagnosis.list)) remarks.push_back(remark);
     for (const SelfComparison& aa : diagnosis.devices) {
         remarks.push_back(timer_remark(aa));
-        if (aa.finding.n > 0 || !aa.gate.not_measured.empty()) remarks.push_back(self_remark(aa));
-        if (aa.finding.n > 0) remarks.push_back(sight_remark(aa));
+        if (complete(aa) || !aa.gate.not_measured.empty()) remarks.push_back(self_remark(aa));
+        if (complete(aa)) remarks.push_back(sight_remark(aa));
     }
 }
 
@@ -68,7 +71,7 @@ std::string diagnosis_json(const Diagnosis& diagnosis) {
               {"aa", Json::array()}};
     for (const Remark& remark : diagnosis.remarks) json["remarks"].push_back(remark_json(remark));
     for (const SelfComparison& aa : diagnosis.devices)
-        if (aa.finding.n > 0 || !aa.gate.not_measured.empty()) json["aa"].push_back(aa_json(aa));
+        if (complete(aa) || !aa.gate.not_measured.empty()) json["aa"].push_back(aa_json(aa));
     return dump_json(json, 2) + "\n";
 }
 

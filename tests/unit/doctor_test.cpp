@@ -187,6 +187,17 @@ TEST(doctor, the_smallest_change_follows_the_noise) {
     expect(sight_remark(aa), Weight::warning, "15.0 %", "--require-mde");
 }
 
+TEST(doctor, an_interrupted_comparison_says_nothing_of_the_noise) {
+    Diagnosis diagnosis;
+    diagnosis.devices = {compared(1'000'000, 1'000'000, 1)};
+    diagnosis.devices[0].gate.confirm.clear();
+    diagnosis.devices[0].finding = decide({&diagnosis.devices[0].gate, 1}).front();
+    add_device_remarks(diagnosis);
+    ASSERT_EQ(diagnosis.remarks.size(), 1u);
+    EXPECT_EQ(diagnosis.remarks[0].about, "timer");
+    EXPECT_EQ(parse_json(diagnosis_json(diagnosis), "doctor")["aa"].size(), 0u);
+}
+
 TEST(doctor, warnings_come_first_and_json_has_every_remark) {
     Diagnosis diagnosis;
     diagnosis.list.devices = {device()};

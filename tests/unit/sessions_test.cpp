@@ -190,5 +190,34 @@ TEST(change, missing_cases_lose_coverage_unless_allowed) {
     EXPECT_TRUE(change_of({row}, {}).nothing_compared);
 }
 
+/// A result with one record of each case.
+ResultFile result_of(const std::vector<Case>& cases) {
+    ResultFile result;
+    for (const Case& c : cases) {
+        Record& record = result.cases.emplace_back();
+        record.params = c;
+        record.status = Status::ok;
+        record.build.emplace();
+        record.statistics.emplace();
+        record.samples.assign(10, {1000, 1000, 1000, 0, 0, 0, ""});
+    }
+    return result;
+}
+
+TEST(sessions, a_tuned_launch_is_the_same_case_and_not_comparable_with_an_untuned_one) {
+    const Case plain{"pocl:0", "pt", "thesis", {8, 8}, 1, 5, {}, 0};
+    Case tuned = plain;
+    tuned.lanes = 16;
+    tuned.work_group = {64, 0};
+    tuned.lanes_tuned = tuned.work_group_tuned = true;
+    const std::vector base{session_of(result_of({plain}), "a")}, now{session_of(result_of({tuned}), "b")};
+    EXPECT_EQ(compare_sessions(base, now, rules()).differing,
+              std::set<std::string>{"tuned: \"no\" and \"lanes 16, work-group 64\""});
+    EXPECT_TRUE(compare_sessions(now, now, rules()).differing.empty());
+    const std::vector both{session_of(result_of({tuned, plain}), "c")};
+    EXPECT_TRUE(compare_sessions(both, both, rules()).differing.empty());
+    EXPECT_EQ(compare_sessions(both, both, rules()).rows.size(), 2u);
+}
+
 }  // namespace
 }  // namespace ptb
