@@ -11,7 +11,7 @@
 namespace ptb {
 namespace {
 
-constexpr double least_s = 2;  ///< it advances some ten times a second
+constexpr double least_s = 2;  ///< it advances ten times a second: 5 %
 
 using Code = int;
 constexpr Code success = 0;

@@ -24,6 +24,12 @@ Json& any_node(Json& json, Random& random) {
     return *node;
 }
 
+/// A copy that is cheap to have many times.
+Json any_leaf(Json& json, Random& random) {
+    const Json& node = any_node(json, random);
+    return ptb::dump_json(node).size() < 1000 ? node : Json(nullptr);
+}
+
 Json any_value(Random& random) {
     constexpr auto most = std::numeric_limits<std::uint64_t>::max();
     constexpr auto least = std::numeric_limits<std::int64_t>::min();
@@ -39,8 +45,8 @@ void change(Json& json, Random& random) {
     const std::size_t how = below(random, 4);
     if (how == 0 && node.is_structured() && !node.empty())
         node.erase(std::next(node.begin(), static_cast<std::ptrdiff_t>(below(random, node.size()))));
-    else if (how == 1 && node.is_array())
-        node.insert(node.end(), 1 + below(random, 20), Json(any_node(json, random)));
+    else if (how == 1 && node.is_array() && node.size() < 100)
+        node.insert(node.end(), 1 + below(random, 20), any_leaf(json, random));
     else if (how == 2)
         node = Json(any_node(json, random));
     else
