@@ -1,6 +1,6 @@
 # `cpack` in the build folder: ptbench (program, configs, references, man page, completions) and libptbench-dev.
 set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_CONTACT "ptbench maintainers <ptbench@localhost.localdomain>" CACHE STRING "Maintainer of the packages")
+set(CPACK_PACKAGE_CONTACT "ptbench maintainers <ptbench@users.noreply.github.com>" CACHE STRING "Maintainer of the packages")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "benchmark of OpenCL devices by path tracing")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

@@ -25,29 +25,30 @@ forbid 'core prints nothing' 'std::(cout|cerr|printf|puts)|[^_n]printf\(|fmt::pr
 forbid 'kernels include kernels' '#include "(core|bench|tests)/' kernels
 forbid 'only shared structs of the kernels reach the host' '#include "(lib|pt|thesis)/' core bench
 
-compile_alone() { # HEADER: with the flags that the build uses for its room
-    local flags
-    flags=$(python3 - "$build/compile_commands.json" "$1" <<'PYTHON'
+# The flags that the build uses for a room.
+flags_of() { # ROOM
+    python3 - "$build/compile_commands.json" "/$1/" <<'PYTHON'
 import json, re, shlex, sys
-room = "/" + sys.argv[2].split("/")[0] + "/"
-commands = [c for c in json.load(open(sys.argv[1])) if room in c["file"] and c["file"].endswith(".cpp")]
-words = shlex.split(commands[0]["command"])
-kept, skip = [], False
-for word in words:
-    if skip:
-        kept.append(word)
-        skip = False
-    elif word in ("-I", "-isystem"):
-        kept.append(word)
-        skip = True
-    elif re.match(r"-(I|isystem|D|std=)", word):
-        kept.append(word)
-print("\n".join(kept))
+command = next(c for c in json.load(open(sys.argv[1])) if sys.argv[2] in c["file"] and c["file"].endswith(".cpp"))
+words = shlex.split(command["command"])
+for word, following in zip(words, words[1:]):
+    if word in ("-I", "-isystem"):
+        print(word, following, sep="\n")
+    elif re.match(r"-(I.|isystem.|D|std=)", word):
+        print(word)
 PYTHON
-    )
-    mapfile -t flags <<<"$flags"
+}
+flags=$(mktemp -d)
+trap 'rm -r "$flags"' EXIT
+for room in core bench; do flags_of "$room" >"$flags/$room"; done
+cp "$flags/core" "$flags/kernels"
+export flags
+
+compile_alone() { # HEADER
+    local words
+    mapfile -t words <"$flags/${1%%/*}"
     # Not the main file itself, or GCC would speak of the pragma.
-    if ! g++ "${flags[@]}" -Ikernels -I. -fsyntax-only -Wall -Wextra -Werror -x c++ - <<<"#include \"$1\""; then
+    if ! g++ "${words[@]}" -Ikernels -I. -fsyntax-only -Wall -Wextra -Werror -x c++ - <<<"#include \"$1\""; then
         echo "$1 does not compile alone" >&2
         return 1
     fi

@@ -4,7 +4,7 @@ import json
 import shutil
 import unittest
 
-from formats import schema_errors
+from validate_schema import schema_errors
 from ptbench import SOURCE, CliTest
 
 

@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from formats import schema_errors
+from validate_schema import schema_errors
 from ptbench import SOURCE, CliTest
 
 WORK = ("-d", "pocl:1", "--kernel", "pt", "--size", "16", "--spp", "2", "--path-length", "2", "--timeout", "60")
