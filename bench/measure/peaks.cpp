@@ -66,12 +66,12 @@ void rate(Peak& peak, double amount, const Statistics& s) {
 }
 
 void measure(Peak& peak, const ocl::Device& device, const PeakLaunch& launch, LaunchRender& render,
-             const std::string& timer) {
+             const std::string& timer, const Progress& progress) {
     TimerWatch watch(launch.amount > 0 ? timer : "host");
     PassCutter cutter;
     const std::uint64_t resolution_ns = device.info.timer_resolution_ns;
     const auto take = [&](const std::string&, int renders) {
-        return timed_render(render, {cutter, resolution_ns, [](double) { return true; }, renders});
+        return timed_render(render, {cutter, resolution_ns, progress, renders});
     };
     const std::int64_t begin = now_ns();
     const Measurement measurement = measure({stop, std::nullopt, 0, resolution_ns}, watch, take,
@@ -80,7 +80,8 @@ void measure(Peak& peak, const ocl::Device& device, const PeakLaunch& launch, La
     rate(peak, launch.amount, describe(measurement, watch));
 }
 
-Peak measured(const Kind& kind, const ocl::Device& device, PeakLaunches& launches, const std::string& timer) {
+Peak measured(const Kind& kind, const ocl::Device& device, PeakLaunches& launches, const std::string& timer,
+              const Progress& progress) {
     Peak peak;
     peak.name = kind.name;
     peak.unit = kind.unit;
@@ -89,7 +90,7 @@ Peak measured(const Kind& kind, const ocl::Device& device, PeakLaunches& launche
         LaunchRender render(device, launch);
         render.advance(1);  // which may compile
         peak.reason = launches.wrong_result(launch);
-        if (peak.reason.empty()) measure(peak, device, launch, render, timer);
+        if (peak.reason.empty()) measure(peak, device, launch, render, timer, progress);
     } catch (const ocl::Error& error) {
         peak.reason = error.what();
     }
@@ -104,8 +105,12 @@ std::vector<Peak> measure_peaks(const ocl::Device& device, const std::string& ti
     PeakLaunches launches(device, kernel_dir);
     std::vector<Peak> peaks;
     for (const Kind& kind : kinds) {
-        told(kind.name);
-        peaks.push_back(measured(kind, device, launches, timer));
+        const auto progress = [&](double) {
+            told(kind.name);
+            return true;
+        };
+        progress(0);
+        peaks.push_back(measured(kind, device, launches, timer, progress));
     }
     return peaks;
 }

@@ -67,7 +67,16 @@ Build describe_build(const BuiltKernel& kernel, const ocl::KernelFacts& facts) {
 }
 
 double steady_s() { return seconds_since(0); }
-void wait_s(double s) { std::this_thread::sleep_for(std::chrono::duration<double>(s)); }
+
+/// Waits, and says so.
+std::function<void(double s)> waiting(const Workbench::Stage& progress) {
+    return [&progress](double s) {
+        for (const std::int64_t begin = now_ns(); seconds_since(begin) < s;) {
+            progress("idle", seconds_since(begin) / s);
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+    };
+}
 
 void conclude(Record& record, Status status, const std::string& reason) {
     record.status = status;
@@ -345,7 +354,8 @@ Record Workbench::run(const Case& params, double time_left_s, const std::string&
     Record record;
     record.params = params;
     try {
-        if (!energy_ && !options_.skip_time) energy_.emplace(energy_counter(device_.info), steady_s, wait_s);
+        if (!energy_ && !options_.skip_time)
+            energy_.emplace(energy_counter(device_.info), steady_s, waiting(progress));
         attempt(resolve(params), time_left_s, image_file, progress, record);
     } catch (const Unsupported& e) {
         conclude(record, Status::unsupported, e.what());

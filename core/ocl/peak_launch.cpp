@@ -61,7 +61,8 @@ PeakLaunch PeakLaunches::global() {
     const auto room = std::min(
         {info.type == "CPU" ? most_cpu_data : most_data, info.max_alloc_bytes, info.global_bytes / 8});
     const std::uint64_t wide = lanes_ == 1 ? 4 : static_cast<std::uint64_t>(lanes_);
-    const std::uint64_t steps = std::max<std::uint64_t>(room / sizeof(float) / wide / items_, 1);
+    const std::uint64_t steps =
+        std::clamp<std::uint64_t>(room / sizeof(float) / wide / items_, 1, loop_limit(info) / 2);
     const std::uint64_t numbers = steps * wide * items_;
     data_ = ones(numbers);
     PeakLaunch launch = prepared("peak_global", static_cast<double>(numbers * sizeof(float)));

@@ -2,6 +2,7 @@
 
 import copy
 import json
+import os
 import unittest
 
 from ptbench import ONE, SOURCE, TINY, CliTest, Scratch, changed
@@ -176,7 +177,11 @@ class Formats(CompareTest):
 
     def test_refusals(self):
         old = self.file("old.json", 10, 10)
+        os.truncate(self.scratch.work / self.scratch.write("huge.json", '{"schema": "'), 1 << 30)
         for words, says in [
+            (("huge.json", old), "larger than 256 MiB"),
+            ((self.scratch.write("deep.json", "[" * 100_000), old), "nested deeper"),
+            ((self.scratch.write("wrong.json", {"schema": "ptbench.v1", "cases": "none"}), old), "wrong.json: "),
             ((), "OLD.json NEW.json"),
             ((old,), "OLD.json NEW.json"),
             ((old, old, old), "OLD.json NEW.json"),

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -17,10 +18,12 @@ namespace {
 ocl::Device a_device() { return all_devices().at(0); }
 
 TEST(Peaks, every_one_has_a_value_within_its_interval) {
-    std::vector<std::string> told;
+    std::set<std::string> told, found;
     const auto peaks =
-        measure_peaks(a_device(), "auto", "", [&](const std::string& name) { told.push_back(name); });
-    EXPECT_THAT(told, testing::ElementsAre("fma", "sqrt", "division", "global", "constant", "launch"));
+        measure_peaks(a_device(), "auto", "", [&](const std::string& name) { told.insert(name); });
+    for (const Peak& peak : peaks) found.insert(peak.name);
+    EXPECT_EQ(found, (std::set<std::string>{"fma", "sqrt", "division", "global", "constant", "launch"}));
+    EXPECT_EQ(told, found);
     for (const Peak& peak : peaks) {
         SCOPED_TRACE(peak.name);
         EXPECT_GT(peak.value.value_or(0), 0) << peak.reason;

@@ -90,5 +90,14 @@ TEST(Csv, samples_are_integer_nanoseconds) {
     EXPECT_THAT(second_line(csv_samples(one_case())), HasSubstr(",ok,,0,1234567,1234567,1300000,5,6,"));
 }
 
+TEST(Csv, joules_are_empty_where_they_could_not_be_read) {
+    ResultFile f = one_case();
+    f.cases[0].energy = Energy{"NVML", "timed for 0.1 s", 0.1, {}, {}, {}};
+    EXPECT_THAT(second_line(csv(f)), HasSubstr(",,,," + f.cases[0].params.device));
+    f.cases[0].energy = Energy{"NVML", "", 2.5, 0.5, 163840, 120};
+    EXPECT_THAT(csv(f), HasSubstr(",joules,samples_per_joule,idle_w,"));
+    EXPECT_THAT(second_line(csv(f)), HasSubstr(",0.500000,163840.000000,120.000000,"));
+}
+
 }  // namespace
 }  // namespace ptb

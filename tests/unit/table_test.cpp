@@ -224,5 +224,31 @@ TEST(Table, the_locale_changes_nothing) {
     EXPECT_EQ(after, before);
 }
 
+TEST(Table, joules_have_a_column_where_a_counter_could_be_read) {
+    ResultFile f;
+    f.cases = {timed_record("gpu:0", "pt", 10, 5), timed_record("gpu:0", "pt", 100, 50)};
+    f.cases[0].energy = Energy{"NVML", "timed for 0.1 s", 0.1, {}, {}, 120};
+    EXPECT_THAT(to_text(times_section(f)), Not(HasSubstr("samples/J")));
+    f.cases[1].energy = Energy{"NVML", "", 2.5, 10, 163840, 120};
+    const auto grid = times_section(f).grid;
+    EXPECT_EQ(grid.columns.back().title, "ksamples/J");
+    EXPECT_EQ(grid.rows[0].back(), "-");
+    EXPECT_EQ(grid.rows[1].back(), "163.8");
+}
+
+TEST(Table, peaks_have_a_row_each_and_failures_say_why) {
+    const Section section =
+        peaks_section({{"gpu:0",
+                        "",
+                        {{"fma", "GFLOP/s", 65000, 64500, 65100, 12, "event", ""},
+                         {"sqrt", "Groots/s", {}, {}, {}, 0, "", "wrong result: found 1, allowed: 2"}}},
+                       {"gpu:1", "killed by SIGSEGV (11)", {}}});
+    EXPECT_THAT(section.grid.rows,
+                ElementsAre(ElementsAre("gpu:0", "fma", "65000", "GFLOP/s", "64500-65100", "event", "12", ""),
+                            ElementsAre("gpu:0", "sqrt", "-", "Groots/s", "-", "", "0",
+                                        "wrong result: found 1, allowed: 2")));
+    EXPECT_THAT(section.notes, ElementsAre("gpu:1: killed by SIGSEGV (11)"));
+}
+
 }  // namespace
 }  // namespace ptb
