@@ -13,11 +13,11 @@ SCHEMA = SOURCE / "configs/schema/ab.schema.json"
 # A case of some milliseconds; its validation takes less than a second a side.
 TINY = ("ab", "-d", "pocl:1", "--kernel", "pt", "--size", "32", "--spp", "4", "--path-length", "2", "--wg", "implicit",
         "--timeout", "60")
-SEGMENT = "        path.segments += 1u;\n"
+SEGMENT = "            turn += 1u;\n"
 # Every segment takes some ten times as long; the image is the same.
-SLOW = SEGMENT + """        lanes_f wasted = path.ray.direction.x;
-        for (int i = 0; i < 3000; ++i) wasted = wasted * 0.999f + 0.5f;
-        path.segments += lanes_any(wasted < -1e30f) ? 1u : 0u;
+SLOW = SEGMENT + """            lanes_f wasted = path.ray.direction.x;
+            for (int i = 0; i < 3000; ++i) wasted = wasted * 0.999f + 0.5f;
+            turn += lanes_any(wasted < -1e30f) ? 1u : 0u;
 """
 
 
