@@ -23,11 +23,11 @@ static inline lanes_u random_mix(lanes_u x) {
 
 /* Two rounds would leave one half a function of 32 bits; three make the pair a bijection of (pixel, sample), so no
    two paths of an image start alike. */
-static inline Random random_of_path(lanes_u pixel, lanes_u sample, uint seed) {
+static inline lanes_u random_of_pixel(lanes_u pixel, uint seed) { return random_mix(pixel + seed * 0x9e3779b9u); }
+static inline Random random_of_path(lanes_u of_pixel, lanes_u sample) {
     Random random;
-    random.a = random_mix(pixel + seed * 0x9e3779b9u);
-    random.b = random_mix(sample + random.a);
-    random.a = random_mix(random.a ^ random.b);
+    random.b = random_mix(sample + of_pixel);
+    random.a = random_mix(of_pixel ^ random.b);
     return random;
 }
 

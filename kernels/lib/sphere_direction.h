@@ -26,9 +26,8 @@ static inline void turned_sincos(lanes_f turns, lanes_f length, lanes_f* sine, l
 /* A point of the unit sphere, uniform by area, of two uniform numbers in [1, 2) (Archimedes: z is uniform). */
 static inline Vec uniform_sphere(lanes_f u, lanes_f v) {
     Vec point;
-    const lanes_f radius = lanes_sqrt((u - 1.0f) * (2.0f - u));
-    turned_sincos(v, radius + radius, &point.y, &point.x);
-    point.z = 3.0f - 2.0f * u;
+    point.z = 3.0f - 2.0f * u; /* exact, so never beyond 1 */
+    turned_sincos(v, lanes_sqrt(1.0f - point.z * point.z), &point.y, &point.x);
     return point;
 }
 

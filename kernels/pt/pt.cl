@@ -19,8 +19,13 @@
 #define PT_BATCH 1
 #endif
 
-PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, Scene scene,
+PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_SPHERE_SPACE const PtSphere* spheres,
                             PT_SURFACE_SPACE const PtSurface* surface_rows, Start start, PtLaunch launch) {
+#ifdef PT_FEW
+    const Scene scene = {spheres, PT_OPAQUE, PT_FEW, launch.distance_mask};
+#else
+    const Scene scene = {spheres, launch.opaque_spheres, launch.opaque_spheres + launch.two_sided_spheres, 0u};
+#endif
     Unit unit = no_unit();
     Path path = no_path();
     Spare spare = no_spare();
@@ -42,7 +47,7 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, Sce
             path.throughput = vec_mul(path.throughput, surface.weight);
             scatter(&path.ray, &path.inside, &hit, &surface, &path.random);
             turn += 1u;
-            full = turn - path.first_turn >= launch.path_length;
+            full = turn >= path.last_turn;
             ended = full | (surface.ends > 0.0f);
             batch -= 1u;
         } while (batch > 0u && !lanes_any(ended));
@@ -74,10 +79,10 @@ __kernel void pt_render(__global PtTally* tallies, __global uint* queue, PT_SCEN
                         PT_SCENE_SPACE const PtSurface* surfaces, __global const uint* camera_sides,
                         const PtFewSpheres few, const PtLaunch launch) {
 #ifdef PT_FEW
+    PT_SPHERE_SPACE const PtSphere* all = few.sphere;
     (void)spheres;
-    const Scene scene = {few.sphere, PT_OPAQUE, PT_FEW, launch.distance_mask};
 #else
-    const Scene scene = {spheres, launch.opaque_spheres, launch.opaque_spheres + launch.two_sided_spheres, 0u};
+    PT_SPHERE_SPACE const PtSphere* all = spheres;
 #endif
     const Start start = {camera_sides, few.camera_gap};
 #ifdef PT_LOCAL_SURFACES
@@ -87,7 +92,7 @@ __kernel void pt_render(__global PtTally* tallies, __global uint* queue, PT_SCEN
 #else
     PT_SCENE_SPACE const PtSurface* rows = surfaces;
 #endif
-    trace_units(tallies, queue, scene, rows, start, launch);
+    trace_units(tallies, queue, all, rows, start, launch);
 }
 
 /* Adds the tallies of one launch to the film, a pixel a work-item, in the order of the units. */

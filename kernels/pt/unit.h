@@ -13,7 +13,7 @@ typedef struct Path {
 #endif
     Sides inside;
     Random random;
-    lanes_u first_turn; /* of the work-item's loop; every turn traces a segment of every path */
+    lanes_u last_turn; /* of the work-item's loop, where every turn traces a segment of every path */
 } Path;
 
 /* Adds what a path meets. Where every emitter ends the path (no PT_GLOWS) its radiance is only asked for at the end; an
@@ -37,7 +37,7 @@ static inline Vec gathered_radiance(const Path* path, const Surfaces* surfaces, 
 /* The unit each lane works on, and its sums so far. */
 typedef struct Unit {
     lanes_u number;
-    lanes_u pixel;       /* of the whole image */
+    lanes_u pixel_hash;
     lanes_f column, row; /* where it is */
     lanes_u sample, end; /* the next one to start, and the one after the last */
     lanes_u samples;
@@ -72,7 +72,7 @@ static inline Path no_path(void) {
 #ifdef PT_GLOWS
     path.radiance = zero;
 #endif
-    path.random.a = path.random.b = path.first_turn = none;
+    path.random.a = path.random.b = path.last_turn = none;
     for (uint i = 0; i < PT_SIDE_WORDS; ++i) path.inside.word[i] = none;
     return path;
 }
@@ -103,7 +103,7 @@ static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, uint turn, v
     const lanes_u none = (lanes_u)(0u);
     unit->taken += lanes_select_u(none, (lanes_u)(1u), may);
     unit->number = lanes_select_u(unit->number, number, got);
-    unit->pixel = lanes_select_u(unit->pixel, pixel, got);
+    unit->pixel_hash = lanes_select_u(unit->pixel_hash, random_of_pixel(pixel, launch->seed), got);
     unit->column = lanes_select(unit->column, lanes_to_f(pixel - row * launch->width), got);
     unit->row = lanes_select(unit->row, lanes_to_f(row), got);
     unit->sample = lanes_select_u(unit->sample, first, got);
@@ -142,7 +142,7 @@ static inline void write_units(const Unit* unit, lanes_mask finished, uint turn,
 /* Gives every lane without a spare one, while its unit has samples to start: a camera ray through a uniform point of its
    pixel. */
 static inline void refill(Spare* spare, Unit* unit, const PtLaunch* launch) {
-    Random random = random_of_path(unit->pixel, unit->sample, launch->seed);
+    Random random = random_of_path(unit->pixel_hash, unit->sample);
     lanes_f u, v;
     random_next_two(&random, &u, &v);
     const lanes_f x = unit->column + (u - 1.0f), y = unit->row + (v - 1.0f);
@@ -173,7 +173,7 @@ static inline void start_spares(Path* path, Spare* spare, lanes_mask ended, uint
 #endif
     path->random.a = lanes_select_u(path->random.a, spare->random.a, ended);
     path->random.b = lanes_select_u(path->random.b, spare->random.b, ended);
-    path->first_turn = lanes_select_u(path->first_turn, (lanes_u)(turn), ended);
+    path->last_turn = lanes_select_u(path->last_turn, (lanes_u)(turn + launch->path_length), ended);
     path->inside.word[0] = lanes_select_u(path->inside.word[0], (lanes_u)(launch->camera_side), ended);
     for (uint i = 1; i < PT_SIDE_WORDS; ++i) {
         path->inside.word[i] = lanes_select_u(path->inside.word[i], (lanes_u)(start.camera_sides[i]), ended);
