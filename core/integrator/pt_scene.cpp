@@ -38,8 +38,9 @@ PtSurface device_surface(const Sphere& sphere, const Material& material, std::ui
     const float keeps = mirror || dielectric ? 1.0f : 0.0f;
     return {device_vector(sphere.centre, 1 / sphere.radius),
             device_vector(weight, ior),
-            device_vector(material.radiance, 1 / ior),
-            {keeps, 1 - keeps, material.scatters ? 0.0f : 1.0f, std::bit_cast<float>(side)}};
+            device_vector(material.radiance),
+            {keeps, 1 - keeps, material.scatters ? 0.0f : 1.0f, std::bit_cast<float>(side)},
+            {static_cast<float>(1 / ior), 0, 0, 0}};
 }
 
 PtSurface background() {

@@ -39,7 +39,7 @@ static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint 
         s.field[8].row[i] = row.radiance.x;
         s.field[9].row[i] = row.radiance.y;
         s.field[10].row[i] = row.radiance.z;
-        s.field[11].row[i] = row.radiance.w;
+        s.field[11].row[i] = row.optics.x;
         s.field[12].row[i] = row.traits.x;
         s.field[13].row[i] = row.traits.y;
         s.field[14].row[i] = row.traits.z;
@@ -75,7 +75,7 @@ static inline Surface surface_of(const Surfaces* all, lanes_u sphere) {
     s.weight.y = SURFACE_FIELD(all, 5, weight.y, sphere);
     s.weight.z = SURFACE_FIELD(all, 6, weight.z, sphere);
     s.ior = SURFACE_FIELD(all, 7, weight.w, sphere);
-    s.inverse_ior = SURFACE_FIELD(all, 11, radiance.w, sphere);
+    s.inverse_ior = SURFACE_FIELD(all, 11, optics.x, sphere);
     s.keeps = SURFACE_FIELD(all, 12, traits.x, sphere);
     s.matte = SURFACE_FIELD(all, 13, traits.y, sphere);
     s.ends = SURFACE_FIELD(all, 14, traits.z, sphere);

@@ -24,10 +24,12 @@ PTB_ASSERT_SIZE(PtFewSpheres, 320);
 typedef struct PtSurface {
     ptb_float4 centre_inverse_radius; /* xyz: centre; w: 1 / radius */
     ptb_float4 weight;                /* rgb: throughput factor of a bounce; w: index of refraction inside */
-    ptb_float4 radiance;              /* rgb: emitted, from both faces; w: 1 / index of refraction */
+    ptb_float4 radiance;              /* rgb: emitted, from both faces; w: unused */
     ptb_float4 traits; /* x: 1 mirror or dielectric, 0 matte; y: 0 and 1; z: 1 ends paths, else 0; w: bits of its side */
+    ptb_float4 optics; /* x: 1 / index of refraction; y, z, w: unused. Rows of 80 bytes lie in different banks of a GPU's
+                          local memory, rows of 64 in two of them. */
 } PtSurface;
-PTB_ASSERT_SIZE(PtSurface, 64);
+PTB_ASSERT_SIZE(PtSurface, 80);
 
 /* A surface's side is the bit of its two-sided sphere, 0 if opaque, when one word holds all bits; else its number, and
    PT_OPAQUE_SIDE if opaque. The index of refraction is NaN unless dielectric, so that nothing goes through. */

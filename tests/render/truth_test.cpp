@@ -95,7 +95,7 @@ TEST(Truth, five_hundred_spheres) { expect_truth({"balls_500", mixed_balls(500),
 TEST(Truth, ten_thousand_spheres_lie_in_global_memory) {
     const Scene scene = mixed_balls(10'000);
     on_every_device([&](const ocl::Device& device) {
-        const bool large = 10'000 * (16 + 64) > device.info.constant_bytes;
+        const bool large = 10'000 * (16 + 80) > device.info.constant_bytes;
         EXPECT_EQ(
             integrator("pt").options(device, scene, 1).find("PT_SCENE_SPACE=__global") != std::string::npos,
             large);
