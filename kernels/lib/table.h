@@ -1,5 +1,5 @@
-/* Tables of 16 floats that every lane reads at its own index: one or two register permutes where the instruction set has
-   them, a chain of selects elsewhere. */
+/* Tables of 16 floats that every lane reads at its own index, by register permutes where the machine has them; and how
+   lanes read rows of memory of their own. */
 #ifndef PTB_LIB_TABLE_H
 #define PTB_LIB_TABLE_H
 
@@ -27,6 +27,8 @@ typedef struct Table {
 #define LANES_GATHER(rows, index, member) (PTB_GLUE(LANES_GATHER_, PTB_LANES)(rows, index, member))
 #endif
 
+#define TABLE_PERMUTES (PTB_X86 && (PTB_LANES == PTB_X86 || PTB_LANES == 2 * PTB_X86))
+
 #if PTB_X86 == 16
 #define TABLE_PART(table, index) __builtin_ia32_permvarsf512((table)->row, as_int16(index))
 #elif PTB_X86 == 8
@@ -38,20 +40,12 @@ static inline float8 table_part(const Table* table, uint8 index) {
 #define TABLE_PART table_part
 #endif
 
-/* `rows` of the table are in use. */
-static inline lanes_f table_lookup(const Table* table, lanes_u index, uint rows) {
-    (void)rows;
-#if defined(TABLE_PART) && PTB_LANES == PTB_X86
-    return TABLE_PART(table, index);
-#elif defined(TABLE_PART) && PTB_LANES == 2 * PTB_X86
+#if TABLE_PERMUTES && PTB_LANES == PTB_X86
+static inline lanes_f table_lookup(const Table* table, lanes_u index) { return TABLE_PART(table, index); }
+#elif TABLE_PERMUTES
+static inline lanes_f table_lookup(const Table* table, lanes_u index) {
     return (lanes_f)(TABLE_PART(table, index.lo), TABLE_PART(table, index.hi));
-#elif PTB_LANES == 1
-    return table->row[index];
-#else
-    lanes_f value = (lanes_f)(table->row[0]);
-    for (uint i = 1; i < rows; ++i) value = lanes_select(value, (lanes_f)(table->row[i]), index == (lanes_u)(i));
-    return value;
-#endif
 }
+#endif
 
 #endif

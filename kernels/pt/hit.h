@@ -55,7 +55,7 @@ static inline lanes_u hit_sphere(const Hit* hit) { return hit->number; }
 #endif
 
 /* Two spheres a turn leave the registers to the interleaved rays of a CPU: 1.03 of one, and of all. GPUs take all. */
-#if PTB_LANES > 1 && defined(__clang__)
+#if PTB_X86
 #define HIT_LOOP _Pragma("clang loop unroll_count(2)")
 #else
 #define HIT_LOOP

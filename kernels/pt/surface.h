@@ -15,10 +15,10 @@ typedef struct Surface {
     lanes_u side;             /* see PtSurface */
 } Surface;
 
-/* How a lane reaches its own row. Few spheres' rows lie in registers, a table a field, and one permute serves all
-   lanes; with more spheres, or one lane, every lane loads its row from memory. Measured on two AVX-512
-   cores with PoCL (thesis scene, 16 lanes): see the room's README. */
-#if defined(PT_FEW) && PTB_LANES > 1
+/* How a lane reaches its own row: with few spheres the rows lie in registers, a table a field, and one permute serves all
+   lanes of a register (two AVX-512 cores, PoCL: 14.0 Msamples/s, 9.2 with the loads and roots of the portable form, 7.1
+   with chains of selects); else every lane loads its row from memory. */
+#if defined(PT_FEW) && TABLE_PERMUTES
 
 typedef struct Surfaces {
     Table field[16];
@@ -47,7 +47,7 @@ static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint 
     }
     return s;
 }
-#define SURFACE_FIELD(surfaces, number, member, index) table_lookup(&(surfaces)->field[number], index, PT_FEW + 1)
+#define SURFACE_FIELD(surfaces, number, member, index) table_lookup(&(surfaces)->field[number], index)
 
 #else
 
