@@ -176,7 +176,7 @@ class Refusals(AbTest):
             (("--json", "missing/x.json"), ["--json", "missing/x.json"]),
             (("--new", "missing"), ["--new", "missing"]),
             (("--new-kernels", "missing"), ["--new-kernels", "missing"]),
-            (("--new-config", "missing"), ["missing", "ci, quick, thesis"]),
+            (("--new-config", "missing"), ["missing", "ci, quick, speed, thesis"]),
             (("--profile", "fast"), ["--profile", "shared"]),
         ]:
             with self.subTest(words):

@@ -175,7 +175,7 @@ class Formats(CompareTest):
             ((old,), "OLD.json NEW.json"),
             ((old, old, old), "OLD.json NEW.json"),
             ((old, "missing.json"), "missing.json"),
-            ((old, old, "--config", "nope"), "ci, quick, thesis"),
+            ((old, old, "--config", "nope"), "ci, quick, speed, thesis"),
             ((old, "--history", old, "--base", old), "--history"),
             (("--replay", "missing.json"), "missing.json"),
             ((self.scratch.write("bad.json", "{"), old), "bad.json"),
