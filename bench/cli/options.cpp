@@ -42,7 +42,7 @@ constexpr AxisFlag axis_flags[] = {
     {"spp", "--spp", "samples per pixel: 10,100,1000"},
     {"path_length", "--path-length", "most segments in a path"},
     {"work_group", "--wg", "work-group: implicit, 64, 16x16"},
-    {"lanes", "--lanes", "rays traced together by a work-item: auto, 1, 4, 8, 16"},
+    {"lanes", "--lanes", "rays traced together by a work-item: auto, 1, 4, 8, 16, 32"},
 };
 
 std::string variable_of(std::string flag) {

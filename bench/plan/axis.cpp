@@ -67,7 +67,8 @@ WorkGroup work_group_of(const std::string& axis, const std::string& text) {
 int lanes_of(const std::string& axis, const std::string& text) {
     if (text == "auto") return 0;
     const auto lanes = positive(text).value_or(0);
-    if (lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16) refuse(axis, text, "auto, 1, 4, 8, 16");
+    if (lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16 && lanes != 32)
+        refuse(axis, text, "auto, 1, 4, 8, 16, 32");
     return lanes;
 }
 
@@ -86,7 +87,7 @@ const std::vector<std::pair<std::string, std::string>>& axis_help() {
         {"size", "pixels: N (square) or WIDTHxHEIGHT"},
         {"spp", "samples per pixel"},
         {"path_length", "most segments in a path, the camera's included"},
-        {"lanes", "rays traced together by one work-item: auto, 1, 4, 8, 16"},
+        {"lanes", "rays traced together by one work-item: auto, 1, 4, 8, 16, 32"},
         {"work_group", "implicit (the runtime chooses), N, or NxM"},
     };
     return help;

@@ -24,7 +24,7 @@ struct Case {
     int spp = 1;            ///< samples per pixel
     int path_length = 128;  ///< most segments in a path, the camera's included
     WorkGroup work_group;
-    int lanes = 0;  ///< rays traced together by one work-item: 1, 4, 8 or 16; 0 lets the device decide
+    int lanes = 0;  ///< rays traced together by one work-item: 1, 4, 8, 16 or 32; 0 lets the device decide
     bool lanes_tuned = false, work_group_tuned = false;  ///< nobody named a value: `ptbench tune` found this
     auto operator<=>(const Case&) const = default;
 };

@@ -15,6 +15,8 @@ namespace {
 /// allows 32.
 constexpr int add_work_group = 32;
 
+std::uint64_t divide_up(std::uint64_t n, std::uint64_t d) { return (n + d - 1) / d; }
+
 /// How one device is kept busy.
 struct Shape {
     std::uint64_t items;           ///< work-items of a launch; they share one queue of units
@@ -24,20 +26,25 @@ struct Shape {
         samples_per_unit;  ///< the image depends on it, so on nothing but device, lanes, size and spp
 };
 
-/// A GPU wants all its resident lanes busy, and two dozen units each, or the last ones to finish keep it
+std::uint64_t scene_bytes(std::uint64_t spheres) {
+    return spheres * sizeof(PtSphere) + (spheres + 1) * sizeof(PtSurface);
+}
+
+constexpr std::uint64_t longest_unit = 32;  ///< samples
+
+bool is_gpu(const ocl::Device& device) { return device.info.type != "CPU"; }
+
+/// A GPU wants all its resident lanes busy, and a dozen units each, or the last ones to finish keep it
 /// waiting. A CPU's thread takes units for as long as there are any, so a few items a core are enough.
 Shape shape_of(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     const auto cores = static_cast<std::uint64_t>(std::max(device.info.compute_units, 1));
+    const auto spp = static_cast<std::uint64_t>(job.spp);
     const std::uint64_t paths = paths_per_item(device, scene, job.path_length);
-    const std::uint64_t longest = std::min<std::uint64_t>({static_cast<std::uint64_t>(job.spp), 32, paths});
-    Shape shape{cores * 64, 1u << 18, 0, static_cast<std::uint32_t>(std::min<std::uint64_t>(longest, 16))};
-    if (device.info.type != "CPU") {
-        shape.items = cores * 2048;
-        shape.max_units = 24 * shape.items;
-        const std::uint64_t samples = job.size.pixels() * static_cast<std::uint64_t>(job.spp);
-        shape.samples_per_unit =
-            static_cast<std::uint32_t>(std::clamp<std::uint64_t>(samples / shape.max_units, 1, longest));
-    }
+    const std::uint64_t busy = is_gpu(device) ? cores * 2048 : cores * static_cast<std::uint64_t>(job.lanes);
+    const std::uint64_t fair = std::max<std::uint64_t>(job.size.pixels() * spp / (12 * busy), 1);
+    const std::uint64_t runs = divide_up(spp, std::min({fair, longest_unit, paths}));
+    Shape shape{is_gpu(device) ? busy : cores * 64, 0, 0, static_cast<std::uint32_t>(divide_up(spp, runs))};
+    shape.max_units = is_gpu(device) ? 24 * shape.items : 1u << 18;
     shape.units_per_lane = std::min<std::uint64_t>(paths / shape.samples_per_unit, 0xffffffffu);
     return shape;
 }
@@ -46,7 +53,8 @@ class PtRender : public Render {
   public:
     PtRender(const ocl::Device& device, const ocl::Program& program, const Scene& scene, const RenderJob& job)
         : device_(device), job_(job), shape_(shape_of(device, scene, job)), pixels_(job.size.pixels()) {
-        runs_ = (static_cast<std::uint32_t>(job.spp) + shape_.samples_per_unit - 1) / shape_.samples_per_unit;
+        runs_ = static_cast<std::uint32_t>(
+            divide_up(static_cast<std::uint64_t>(job.spp), shape_.samples_per_unit));
         shape_.max_units = std::min<std::uint64_t>(shape_.max_units, pixels_ * runs_);
         const PtScene pt_scene = make_pt_scene(scene);
         launch_.camera = device_camera(scene.camera, job.size);
@@ -56,6 +64,8 @@ class PtRender : public Render {
         launch_.path_length = static_cast<std::uint32_t>(job.path_length);
         launch_.units_per_lane = static_cast<std::uint32_t>(shape_.units_per_lane);
         launch_.seed = job.seed;
+        launch_.distance_mask = ~std::uint32_t{15};
+        launch_.camera_side = pt_scene.camera_sides.front();
         launch_.opaque_spheres = pt_scene.opaque;
         launch_.two_sided_spheres = pt_scene.two_sided;
         ocl::checked("pt buffers", device_.info.name, [&] {
@@ -67,6 +77,7 @@ class PtRender : public Render {
             spheres_ = upload(pt_scene.spheres);
             surfaces_ = upload(pt_scene.surfaces);
             sides_ = upload(pt_scene.camera_sides);
+            few_ = pt_scene.few;
         });
         restart();
     }
@@ -101,7 +112,8 @@ class PtRender : public Render {
             render_.setArg(2, spheres_);
             render_.setArg(3, surfaces_);
             render_.setArg(4, sides_);
-            render_.setArg(5, launch_);
+            render_.setArg(5, few_);
+            render_.setArg(6, launch_);
             device_.queue.enqueueNDRangeKernel(render_, cl::NullRange, ranges.global, ranges.local, nullptr,
                                                &events[0]);
             add_.setArg(0, film_);
@@ -138,7 +150,7 @@ class PtRender : public Render {
     ocl::KernelFacts facts() const override { return kernel_facts(device_, render_); }
     std::uint64_t device_bytes() const override {
         return (pixels_ + shape_.max_units) * sizeof(PtTally) +
-               (launch_.opaque_spheres + launch_.two_sided_spheres) * (sizeof(PtSphere) + sizeof(PtSurface));
+               scene_bytes(launch_.opaque_spheres + launch_.two_sided_spheres);
     }
 
   private:
@@ -191,28 +203,37 @@ class PtRender : public Render {
     std::uint32_t runs_ = 0;
     cl::Kernel render_, add_;
     cl::Buffer film_, tallies_, queue_, spheres_, surfaces_, sides_;
+    PtFewSpheres few_{};
     PtLaunch launch_{};
 };
+
+/// An emitter that also scatters.
+bool glows(const Scene& scene) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [](const Material& m) { return m.scatters && dot(m.radiance, m.radiance) > 0; });
+}
 
 std::string options(const ocl::Device& device, const Scene& scene, int lanes) {
     const PtScene pt_scene = make_pt_scene(scene);
     const std::size_t bytes = pt_scene.surfaces.size() * (sizeof(PtSurface) + sizeof(PtSphere));
+    const bool few = pt_scene.spheres.size() <= PT_FEW_MOST;
     std::string text =
         fmt::format("-cl-std=CL1.2 -DPTB_LANES={} -DPT_SIDE_WORDS={}", lanes, pt_scene.camera_sides.size());
     if (bytes > device.info.constant_bytes) text += " -DPT_SCENE_SPACE=__global";
-    if (pt_scene.surfaces.size() <= 16) text += " -DPT_FEW_SPHERES";
+    if (few) text += fmt::format(" -DPT_FEW={} -DPT_OPAQUE={}", pt_scene.spheres.size(), pt_scene.opaque);
+    if (glows(scene)) text += " -DPT_GLOWS";
+    if (is_gpu(device) && lanes == 1) text += " -DPT_BATCH=6";
+    if (is_gpu(device) && lanes == 1 && few) text += " -DPT_CARRIED -DPT_LOCAL_SURFACES";
     return text;
 }
 
 Integrator::Memory memory(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     const Shape shape = shape_of(device, scene, job);
     const std::uint64_t units =
-        job.size.pixels() *
-        ((static_cast<std::uint32_t>(job.spp) + shape.samples_per_unit - 1) / shape.samples_per_unit);
+        job.size.pixels() * divide_up(static_cast<std::uint64_t>(job.spp), shape.samples_per_unit);
     const std::uint64_t film = job.size.pixels() * sizeof(PtTally);
     const std::uint64_t tallies = std::min(shape.max_units, units) * sizeof(PtTally);
-    return {film + tallies + scene.spheres.size() * (sizeof(PtSphere) + sizeof(PtSurface)),
-            std::max(film, tallies)};
+    return {film + tallies + scene_bytes(scene.spheres.size()), std::max(film, tallies)};
 }
 
 std::unique_ptr<Render> make(const ocl::Device& device, const ocl::Program& program, const Scene& scene,
@@ -224,7 +245,7 @@ std::unique_ptr<Render> make(const ocl::Device& device, const ocl::Program& prog
 
 Integrator pt_integrator() {
     return {"pt",       "physically right path tracer: no next-event estimation, no roulette",
-            "pt/pt.cl", {1, 4, 8, 16},
+            "pt/pt.cl", {1, 4, 8, 16, 32},
             false,      true,
             options,    memory,
             make};

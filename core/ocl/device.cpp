@@ -71,12 +71,13 @@ std::string uuid_of(const cl::Device& device) {
 }
 
 /// Rays a work-item should trace together: the SIMD width on CPUs, whose compilers keep a kernel with one ray
-/// a work-item scalar (PoCL) or lose most of its width (Intel). GPUs want 1, and so does Mesa's llvmpipe,
-/// which vectorises across work-items.
+/// a work-item scalar (PoCL) or lose most of its width (Intel); twice that width, so that one ray's
+/// arithmetic fills the waits of another's. GPUs want 1, and so does Mesa's llvmpipe, which vectorises across
+/// work-items.
 int default_lanes(const DeviceInfo& info) {
     if (info.type != "CPU" || info.platform == "rusticl") return 1;
     for (const int lanes : {16, 8, 4})
-        if (info.native_float_width >= lanes) return lanes;
+        if (info.native_float_width >= lanes) return 2 * lanes;
     return 1;
 }
 

@@ -1,7 +1,7 @@
 /* Random numbers: a generator per path, seeded by a hash of (pixel, sample), so a path's numbers depend on nothing
-   else. The generator is xoroshiro64*: see "Scrambled Linear Pseudorandom Number Generators", by D. Blackman and
-   S. Vigna. Its 64 bits of state make paths that share a stretch of numbers unlikely, and it needs only one 32-bit
-   product, which every SIMD unit has. */
+   else. The generator is xoroshiro64: see "Scrambled Linear Pseudorandom Number Generators", by D. Blackman and
+   S. Vigna. Its 64 bits of state make paths that share a stretch of numbers unlikely, and it needs only 32-bit
+   products, which every SIMD unit has. */
 #ifndef PTB_LIB_RANDOM_H
 #define PTB_LIB_RANDOM_H
 
@@ -23,21 +23,25 @@ static inline lanes_u random_mix(lanes_u x) {
 
 /* Two rounds would leave one half a function of 32 bits; three make the pair a bijection of (pixel, sample), so no
    two paths of an image start alike. */
-static inline Random random_of_path(lanes_u pixel, lanes_u sample, uint seed) {
+static inline lanes_u random_of_pixel(lanes_u pixel, uint seed) { return random_mix(pixel + seed * 0x9e3779b9u); }
+static inline Random random_of_path(lanes_u of_pixel, lanes_u sample) {
     Random random;
-    random.a = random_mix(pixel + seed * 0x9e3779b9u);
-    random.b = random_mix(sample + random.a);
-    random.a = random_mix(random.a ^ random.b);
+    random.b = random_mix(sample + of_pixel);
+    random.a = random_mix(of_pixel ^ random.b);
     return random;
 }
 
-/* The next number, uniform in [0, 1), a multiple of 2^-24. */
-static inline lanes_f random_next(Random* random) {
-    const lanes_u word = random->a * 0x9e3779bbu;
+/* A float in [1, 2) of a word's upper bits: no conversion, and most users can do without the subtraction of 1. */
+static inline lanes_f random_float(lanes_u word) { return lanes_as_f((word >> 9) | 0x3f800000u); }
+
+/* The next two numbers, uniform in [1, 2), multiples of 2^-23: one step of the state serves both, each of its words
+   scrambled by a product of its own. */
+static inline void random_next_two(Random* random, lanes_f* u, lanes_f* v) {
+    *u = random_float(random->a * 0x9e3779bbu);
+    *v = random_float(random->b * 0x85ebca6bu);
     const lanes_u mixed = random->a ^ random->b;
     random->a = ((random->a << 26) | (random->a >> 6)) ^ mixed ^ (mixed << 9);
     random->b = (mixed << 13) | (mixed >> 19);
-    return lanes_to_f(lanes_as_i(word >> 8)) * 0x1p-24f;
 }
 
 #endif

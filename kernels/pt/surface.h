@@ -3,32 +3,31 @@
 #define PTB_PT_SURFACE_H
 
 #include "lib/table.h"
-#include "pt/scene.h"
+#include "pt/hit.h"
 
 typedef struct Surface {
     Vec centre;
     lanes_f inverse_radius;
-    Vec weight;   /* throughput factor of a bounce */
-    lanes_f ends; /* 1: the path ends here */
-    Vec radiance;
-    lanes_f matte; /* 1 matte, 0 mirror or dielectric */
-    lanes_f ior;   /* 0: no dielectric */
-    lanes_f side;  /* number of the two-sided sphere */
+    Vec weight;               /* throughput factor of a bounce */
+    lanes_f ior, inverse_ior; /* NaN: no dielectric */
+    lanes_f keeps, matte;     /* 1 and 0: mirror or dielectric; 0 and 1: matte */
+    lanes_f ends;             /* 1: no path goes on from here; else 0 */
+    lanes_u side;             /* see PtSurface */
 } Surface;
 
-/* How a lane reaches its own row. Up to PT_TABLE_ROWS (16) spheres the rows lie in registers, a table a field, and one
-   permute serves all lanes; beyond, and with one lane, every lane loads its row from memory. Measured on two AVX-512
-   cores with PoCL (thesis scene, 16 lanes): see the room's README. */
-#if defined(PT_FEW_SPHERES) && TABLE_PERMUTES
+/* How a lane reaches its own row: with few spheres the rows lie in registers, a table a field, and one permute serves all
+   lanes of a register (two AVX-512 cores, PoCL: 14.0 Msamples/s, 9.2 with the loads and roots of the portable form, 7.1
+   with chains of selects); else every lane loads its row from memory. */
+#if defined(PT_FEW) && TABLE_PERMUTES
 
 typedef struct Surfaces {
-    Table field[14];
+    Table field[16];
 } Surfaces;
 
-static inline Surfaces surfaces_of(PT_SCENE_SPACE const PtSurface* rows, uint count) {
+static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint count) {
     Surfaces s;
     for (uint i = 0; i < TABLE_ROWS; ++i) {
-        const PtSurface row = rows[min(i, count - 1u)];
+        const PtSurface row = rows[min(i, count)];
         s.field[0].row[i] = row.centre_inverse_radius.x;
         s.field[1].row[i] = row.centre_inverse_radius.y;
         s.field[2].row[i] = row.centre_inverse_radius.z;
@@ -40,9 +39,11 @@ static inline Surfaces surfaces_of(PT_SCENE_SPACE const PtSurface* rows, uint co
         s.field[8].row[i] = row.radiance.x;
         s.field[9].row[i] = row.radiance.y;
         s.field[10].row[i] = row.radiance.z;
-        s.field[11].row[i] = row.radiance.w;
-        s.field[12].row[i] = row.optics.x;
-        s.field[13].row[i] = row.optics.y;
+        s.field[11].row[i] = row.optics.x;
+        s.field[12].row[i] = row.traits.x;
+        s.field[13].row[i] = row.traits.y;
+        s.field[14].row[i] = row.traits.z;
+        s.field[15].row[i] = row.traits.w;
     }
     return s;
 }
@@ -51,10 +52,10 @@ static inline Surfaces surfaces_of(PT_SCENE_SPACE const PtSurface* rows, uint co
 #else
 
 typedef struct Surfaces {
-    PT_SCENE_SPACE const PtSurface* rows;
+    PT_SURFACE_SPACE const PtSurface* rows;
 } Surfaces;
 
-static inline Surfaces surfaces_of(PT_SCENE_SPACE const PtSurface* rows, uint count) {
+static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint count) {
     Surfaces s;
     (void)count;
     s.rows = rows;
@@ -73,14 +74,19 @@ static inline Surface surface_of(const Surfaces* all, lanes_u sphere) {
     s.weight.x = SURFACE_FIELD(all, 4, weight.x, sphere);
     s.weight.y = SURFACE_FIELD(all, 5, weight.y, sphere);
     s.weight.z = SURFACE_FIELD(all, 6, weight.z, sphere);
-    s.ends = SURFACE_FIELD(all, 7, weight.w, sphere);
-    s.radiance.x = SURFACE_FIELD(all, 8, radiance.x, sphere);
-    s.radiance.y = SURFACE_FIELD(all, 9, radiance.y, sphere);
-    s.radiance.z = SURFACE_FIELD(all, 10, radiance.z, sphere);
-    s.matte = SURFACE_FIELD(all, 11, radiance.w, sphere);
-    s.ior = SURFACE_FIELD(all, 12, optics.x, sphere);
-    s.side = SURFACE_FIELD(all, 13, optics.y, sphere);
+    s.ior = SURFACE_FIELD(all, 7, weight.w, sphere);
+    s.inverse_ior = SURFACE_FIELD(all, 11, optics.x, sphere);
+    s.keeps = SURFACE_FIELD(all, 12, traits.x, sphere);
+    s.matte = SURFACE_FIELD(all, 13, traits.y, sphere);
+    s.ends = SURFACE_FIELD(all, 14, traits.z, sphere);
+    s.side = lanes_as_u(SURFACE_FIELD(all, 15, traits.w, sphere));
     return s;
+}
+
+/* Radiance that the sphere sends out, from both faces. */
+static inline Vec radiance_of(const Surfaces* all, lanes_u sphere) {
+    return vec(SURFACE_FIELD(all, 8, radiance.x, sphere), SURFACE_FIELD(all, 9, radiance.y, sphere),
+               SURFACE_FIELD(all, 10, radiance.z, sphere));
 }
 
 #endif

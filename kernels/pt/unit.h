@@ -3,33 +3,64 @@
 #define PTB_PT_UNIT_H
 
 #include "lib/random.h"
-#include "pt/scene.h"
+#include "pt/surface.h"
 
 typedef struct Path {
     Ray ray;
     Vec throughput;
+#ifdef PT_GLOWS
     Vec radiance; /* gathered so far */
+#endif
     Sides inside;
     Random random;
-    lanes_u segments;
+    lanes_u last_turn; /* of the work-item's loop, where every turn traces a segment of every path */
 } Path;
+
+/* Adds what a path meets. Where every emitter ends the path (no PT_GLOWS) its radiance is only asked for at the end; an
+   emitter that ends paths has weight 1. */
+static inline void gather_radiance(Path* path, const Surfaces* surfaces, lanes_u sphere) {
+#ifdef PT_GLOWS
+    path->radiance = vec_mul_add(path->radiance, path->throughput, radiance_of(surfaces, sphere));
+#else
+    (void)path, (void)surfaces, (void)sphere;
+#endif
+}
+static inline Vec gathered_radiance(const Path* path, const Surfaces* surfaces, lanes_u sphere) {
+#ifdef PT_GLOWS
+    (void)surfaces, (void)sphere;
+    return path->radiance;
+#else
+    return vec_mul(path->throughput, radiance_of(surfaces, sphere));
+#endif
+}
 
 /* The unit each lane works on, and its sums so far. */
 typedef struct Unit {
     lanes_u number;
-    lanes_u pixel;        /* of the whole image */
-    lanes_u sample;       /* the next one to start */
-    lanes_u samples_left; /* not ended yet */
+    lanes_u pixel_hash;
+    lanes_f column, row; /* where it is */
+    lanes_u sample, end; /* the next one to start, and the one after the last */
     lanes_u samples;
     lanes_u taken; /* units so far */
-    lanes_u segments, full_length_paths;
+    lanes_u first_turn;
+    lanes_u full_length_paths;
     Vec sum, squares;
 } Unit;
 
+/* The next sample of a lane's unit, ready to start. A camera ray costs as much as half a bounce for however few lanes; so
+   all lanes that lack one get theirs together, once a lane needs what it has not. */
+typedef struct Spare {
+    Vec direction;
+    Random random;
+    lanes_mask ready;
+    Vec radiance; /* of the sample that ended when the last spare was started; not in the unit's sums yet */
+} Spare;
+
 static inline Unit no_unit(void) {
     const Vec zero = vec_of((float4)(0.0f));
+    const lanes_f nowhere = (lanes_f)(0.0f);
     const lanes_u none = (lanes_u)(0u);
-    const Unit unit = {none, none, none, none, none, none, none, none, zero, zero};
+    const Unit unit = {none, none, nowhere, nowhere, none, none, none, none, none, none, zero, zero};
     return unit;
 }
 
@@ -37,50 +68,63 @@ static inline Path no_path(void) {
     const Vec zero = vec_of((float4)(0.0f));
     const lanes_u none = (lanes_u)(0u);
     Path path;
-    path.ray.origin = path.ray.direction = path.throughput = path.radiance = zero;
-    path.random.a = path.random.b = path.segments = none;
+    path.ray.origin = path.ray.direction = path.throughput = zero;
+#ifdef PT_GLOWS
+    path.radiance = zero;
+#endif
+    path.random.a = path.random.b = path.last_turn = none;
     for (uint i = 0; i < PT_SIDE_WORDS; ++i) path.inside.word[i] = none;
     return path;
 }
 
+static inline Spare no_spare(void) {
+    Spare spare;
+    spare.direction = spare.radiance = vec_of((float4)(0.0f));
+    spare.random.a = spare.random.b = (lanes_u)(0u);
+    spare.ready = lanes_none();
+    return spare;
+}
+
 /* Gives each wanting lane the next unit of the queue; returns the lanes that got one. */
-static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, volatile __global uint* queue,
+static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, uint turn, volatile __global uint* queue,
                                     const PtLaunch* launch) {
-    lanes_u number = lanes_select_u(unit->number, (lanes_u)(0xffffffffu), wanting);
     const lanes_mask may = wanting & (unit->taken < launch->units_per_lane);
+    lanes_u number = lanes_select_u((lanes_u)(0xffffffffu), (lanes_u)(0u), may);
     for (uint lane = 0; lane < PTB_LANES; ++lane) {
-        if (LANE(may, lane)) LANE(number, lane) = atomic_inc(queue);
+        if (LANE(number, lane) == 0u) LANE(number, lane) = atomic_inc(queue);
     }
-    unit->taken += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), may);
     const lanes_mask got = wanting & (number < launch->units);
-    const lanes_u run = number / launch->pixels;
-    const lanes_u first_sample = (run + launch->first_run) * launch->samples_per_unit;
-    const lanes_u samples = min((lanes_u)(launch->samples_per_unit), launch->spp - first_sample);
-    unit->number = number;
-    unit->pixel = lanes_select_u(unit->pixel, number - run * launch->pixels + launch->first_pixel, wanting);
-    unit->sample = lanes_select_u(unit->sample, first_sample, wanting);
-    unit->samples = lanes_select_u(unit->samples, samples, wanting);
-    unit->samples_left = lanes_select_u(unit->samples_left, samples, wanting);
-    unit->segments = lanes_select_u(unit->segments, (lanes_u)(0u), wanting);
-    unit->full_length_paths = lanes_select_u(unit->full_length_paths, (lanes_u)(0u), wanting);
+    number = lanes_select_u((lanes_u)(0u), number, got);
+    const lanes_u run = lanes_divide(number, launch->pixels);
+    const lanes_u pixel = number - run * launch->pixels + launch->first_pixel;
+    const lanes_u row = lanes_divide(pixel, launch->width);
+    const lanes_u first = (run + launch->first_run) * launch->samples_per_unit;
+    const lanes_u end = lanes_min_u(first + launch->samples_per_unit, (lanes_u)(launch->spp));
+    const lanes_u none = (lanes_u)(0u);
+    unit->taken += lanes_select_u(none, (lanes_u)(1u), may);
+    unit->number = lanes_select_u(unit->number, number, got);
+    unit->pixel_hash = lanes_select_u(unit->pixel_hash, random_of_pixel(pixel, launch->seed), got);
+    unit->column = lanes_select(unit->column, lanes_to_f(pixel - row * launch->width), got);
+    unit->row = lanes_select(unit->row, lanes_to_f(row), got);
+    unit->sample = lanes_select_u(unit->sample, first, got);
+    unit->end = lanes_select_u(unit->end, end, got);
+    unit->samples = lanes_select_u(unit->samples, end - first, got);
+    unit->first_turn = lanes_select_u(unit->first_turn, (lanes_u)(turn), got);
+    unit->full_length_paths = lanes_select_u(unit->full_length_paths, none, wanting);
     const Vec zero = vec_of((float4)(0.0f));
     unit->sum = vec_select(unit->sum, zero, wanting);
     unit->squares = vec_select(unit->squares, zero, wanting);
     return got;
 }
 
-/* Adds the ended paths to their units. */
-static inline void add_samples(Unit* unit, const Path* path, lanes_mask ended, lanes_mask full) {
-    const lanes_u one = (lanes_u)(1u), none = (lanes_u)(0u);
-    const Vec radiance = vec_select(vec_of((float4)(0.0f)), path->radiance, ended);
-    unit->sum = vec(unit->sum.x + radiance.x, unit->sum.y + radiance.y, unit->sum.z + radiance.z);
-    unit->squares = vec_mul_add(unit->squares, radiance, radiance);
-    unit->segments += lanes_select_u(none, path->segments, ended);
-    unit->full_length_paths += lanes_select_u(none, one, ended & full);
-    unit->samples_left -= lanes_select_u(none, one, ended);
+/* Adds a sample to each of these lanes' units. */
+static inline void add_samples(Unit* unit, Vec radiance, lanes_mask ended) {
+    const Vec added = vec_select(vec_of((float4)(0.0f)), radiance, ended);
+    unit->sum = vec(unit->sum.x + added.x, unit->sum.y + added.y, unit->sum.z + added.z);
+    unit->squares = vec_mul_add(unit->squares, added, added);
 }
 
-static inline void write_units(const Unit* unit, lanes_mask finished, __global PtTally* tallies) {
+static inline void write_units(const Unit* unit, lanes_mask finished, uint turn, __global PtTally* tallies) {
     for (uint lane = 0; lane < PTB_LANES; ++lane) {
         if (!LANE(finished, lane)) continue;
         PtTally tally;
@@ -88,33 +132,58 @@ static inline void write_units(const Unit* unit, lanes_mask finished, __global P
         tally.squares =
             (float4)(LANE(unit->squares.x, lane), LANE(unit->squares.y, lane), LANE(unit->squares.z, lane), 0.0f);
         tally.samples = LANE(unit->samples, lane);
-        tally.segments = LANE(unit->segments, lane);
+        tally.segments = turn - LANE(unit->first_turn, lane);
         tally.full_length_paths = LANE(unit->full_length_paths, lane);
         tally.padding = 0u;
         tallies[LANE(unit->number, lane)] = tally;
     }
 }
 
-/* Starts the next sample of each starting lane's unit: a camera ray through a uniform point of its pixel. */
-static inline void start_samples(Path* path, Unit* unit, lanes_mask starting, __global const uint* camera_sides,
-                                 const PtLaunch* launch) {
-    Random random = random_of_path(unit->pixel, unit->sample, launch->seed);
-    const lanes_u row = unit->pixel / launch->width;
-    const lanes_f x = lanes_to_f(lanes_as_i(unit->pixel - row * launch->width)) + random_next(&random);
-    const lanes_f y = lanes_to_f(lanes_as_i(row)) + random_next(&random);
+/* Gives every lane without a spare one, while its unit has samples to start: a camera ray through a uniform point of its
+   pixel. */
+static inline void refill(Spare* spare, Unit* unit, const PtLaunch* launch) {
+    Random random = random_of_path(unit->pixel_hash, unit->sample);
+    lanes_f u, v;
+    random_next_two(&random, &u, &v);
+    const lanes_f x = unit->column + (u - 1.0f), y = unit->row + (v - 1.0f);
     const Vec across = vec_add_scaled(vec_of(launch->camera.corner), vec_of(launch->camera.step_x), x);
     const Vec direction = vec_normalize(vec_add_scaled(across, vec_of(launch->camera.step_y), y));
-    path->ray.origin = vec_select(path->ray.origin, vec_of(launch->camera.position), starting);
-    path->ray.direction = vec_select(path->ray.direction, direction, starting);
-    path->throughput = vec_select(path->throughput, vec_of((float4)(1.0f)), starting);
-    path->radiance = vec_select(path->radiance, vec_of((float4)(0.0f)), starting);
-    path->random.a = lanes_select_u(path->random.a, random.a, starting);
-    path->random.b = lanes_select_u(path->random.b, random.b, starting);
-    path->segments = lanes_select_u(path->segments, (lanes_u)(0u), starting);
-    for (uint i = 0; i < PT_SIDE_WORDS; ++i) {
-        path->inside.word[i] = lanes_select_u(path->inside.word[i], (lanes_u)(camera_sides[i]), starting);
+    const lanes_mask wanting = MASK_OF_MANY(!spare->ready & (unit->sample < unit->end));
+    spare->direction = vec_select(spare->direction, direction, wanting);
+    spare->random.a = lanes_select_u(spare->random.a, random.a, wanting);
+    spare->random.b = lanes_select_u(spare->random.b, random.b, wanting);
+    unit->sample += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), wanting);
+    spare->ready |= wanting;
+}
+
+/* What all paths start with, beside the camera. */
+typedef struct Start {
+    __global const uint* camera_sides;
+    __private const float* camera_gap;
+} Start;
+
+/* Ends these paths and starts the lanes' spares in their place. */
+static inline void start_spares(Path* path, Spare* spare, lanes_mask ended, uint turn,
+                                Start start, const PtLaunch* launch) {
+    path->ray.origin = vec_select(path->ray.origin, vec_of(launch->camera.position), ended);
+    path->ray.direction = vec_select(path->ray.direction, spare->direction, ended);
+    path->throughput = vec_select(path->throughput, vec_of((float4)(1.0f)), ended);
+#ifdef PT_GLOWS
+    path->radiance = vec_select(path->radiance, vec_of((float4)(0.0f)), ended);
+#endif
+    path->random.a = lanes_select_u(path->random.a, spare->random.a, ended);
+    path->random.b = lanes_select_u(path->random.b, spare->random.b, ended);
+    path->last_turn = lanes_select_u(path->last_turn, (lanes_u)(turn + launch->path_length), ended);
+    path->inside.word[0] = lanes_select_u(path->inside.word[0], (lanes_u)(launch->camera_side), ended);
+    for (uint i = 1; i < PT_SIDE_WORDS; ++i) {
+        path->inside.word[i] = lanes_select_u(path->inside.word[i], (lanes_u)(start.camera_sides[i]), ended);
     }
-    unit->sample += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), starting);
+#ifdef PT_CARRIED
+    for (uint i = 0; i < PT_FEW; ++i) {
+        path->ray.gap[i] = lanes_select(path->ray.gap[i], (lanes_f)(start.camera_gap[i]), ended);
+    }
+#endif
+    spare->ready &= !ended;
 }
 
 #endif

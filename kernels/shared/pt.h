@@ -10,15 +10,30 @@ typedef struct PtSphere {
 } PtSphere;
 PTB_ASSERT_SIZE(PtSphere, 16);
 
-/* What scattering needs to know of a sphere, one row a sphere, in the order of the spheres. The new direction is
-   built as a d + b n + c s (see kernels/pt/scatter.h), so one row says what kind of material it is. */
+/* So few spheres are passed by value and known one by one while compiling; one row more is the background. */
+#define PT_FEW_MOST 15
+
+typedef struct PtFewSpheres {
+    PtSphere sphere[PT_FEW_MOST + 1];
+    float camera_gap[PT_FEW_MOST + 1]; /* radius^2 - |camera - centre|^2, rounded once from double */
+} PtFewSpheres;
+PTB_ASSERT_SIZE(PtFewSpheres, 320);
+
+/* What scattering needs to know of a sphere, one row a sphere, in the order of the spheres, and a last row for the
+   background. */
 typedef struct PtSurface {
     ptb_float4 centre_inverse_radius; /* xyz: centre; w: 1 / radius */
-    ptb_float4 weight;                /* rgb: throughput factor of a bounce; w: 1 ends the path here, else 0 */
-    ptb_float4 radiance;              /* rgb: emitted, from both faces; w: 1 matte, 0 mirror or dielectric */
-    ptb_float4 optics; /* x: index of refraction inside, 0 unless dielectric; y: bit of its side; z, w: unused */
+    ptb_float4 weight;                /* rgb: throughput factor of a bounce; w: index of refraction inside */
+    ptb_float4 radiance;              /* rgb: emitted, from both faces; w: unused */
+    ptb_float4 traits; /* x: 1 mirror or dielectric, 0 matte; y: 0 and 1; z: 1 ends paths, else 0; w: bits of its side */
+    ptb_float4 optics; /* x: 1 / index of refraction; y, z, w: unused. Rows of 80 bytes lie in different banks of a GPU's
+                          local memory, rows of 64 in two of them. */
 } PtSurface;
-PTB_ASSERT_SIZE(PtSurface, 64);
+PTB_ASSERT_SIZE(PtSurface, 80);
+
+/* A surface's side is the bit of its two-sided sphere, 0 if opaque, when one word holds all bits; else its number, and
+   PT_OPAQUE_SIDE if opaque. The index of refraction is NaN unless dielectric, so that nothing goes through. */
+#define PT_OPAQUE_SIDE 0xffffffffu
 
 /* Work of one launch. A unit is a run of `samples_per_unit` consecutive samples of one pixel (the last unit of a
    pixel may be shorter). Unit number u of the launch is pixel `first_pixel + u % pixels`, and the run number
@@ -37,8 +52,11 @@ typedef struct PtLaunch {
     ptb_uint opaque_spheres;  /* the first ones: no path is ever inside */
     ptb_uint two_sided_spheres; /* the rest: dielectrics, and what the camera is in */
     ptb_uint units_per_lane; /* at most: some drivers bound the turns of a loop */
+    ptb_uint camera_side;   /* first word of the sides that the camera is on */
+    ptb_uint distance_mask; /* ~15; a constant, but not told to the compiler: see pt/hit.h */
+    ptb_uint padding[2];
 } PtLaunch;
-PTB_ASSERT_SIZE(PtLaunch, 112);
+PTB_ASSERT_SIZE(PtLaunch, 128);
 
 /* What a unit leaves, or a pixel of the film holds: sums over its samples. */
 typedef struct PtTally {

@@ -23,19 +23,20 @@ check() { # FILE OPTIONS...
     fi
 }
 
+few=(-DPT_FEW=9 -DPT_OPAQUE=8)
 while IFS= read -r kernel; do
-    for lanes in 1 4 8 16; do
+    for lanes in 1 4 8 16 32; do
         portable=(-target spir64 "-DPTB_LANES=$lanes")
-        check "$kernel" "${portable[@]}"
-        check "$kernel" "${portable[@]}" -DPT_FEW_SPHERES
-        check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3
+        check "$kernel" "${portable[@]}" -DPT_GLOWS
+        check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_PORTABLE
         check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3 -DPT_SCENE_SPACE=__global
         # With these the tables become register permutes.
         for machine in '-mavx512f -mavx512vl' '-mavx2 -mfma'; do
             # shellcheck disable=SC2086 # two words
-            check "$kernel" -target x86_64-unknown-linux-gnu $machine "-DPTB_LANES=$lanes" -DPT_FEW_SPHERES
+            check "$kernel" -target x86_64-unknown-linux-gnu $machine "-DPTB_LANES=$lanes" "${few[@]}"
         done
     done
+    check "$kernel" -target spir64 "${few[@]}" -DPT_CARRIED -DPT_LOCAL_SURFACES -DPT_BATCH=6
 done < <(find kernels -name '*.cl' | sort)
 
 echo "$checks compilations with $clang, $failures failed"

@@ -13,11 +13,11 @@ SCHEMA = SOURCE / "configs/schema/ab.schema.json"
 # A case of some milliseconds; its validation takes less than a second a side.
 TINY = ("ab", "-d", "pocl:1", "--kernel", "pt", "--size", "32", "--spp", "4", "--path-length", "2", "--wg", "implicit",
         "--timeout", "60")
-SEGMENT = "        path.segments += 1u;\n"
+SEGMENT = "            turn += 1u;\n"
 # Every segment takes some ten times as long; the image is the same.
-SLOW = SEGMENT + """        lanes_f wasted = path.ray.direction.x;
-        for (int i = 0; i < 3000; ++i) wasted = wasted * 0.999f + 0.5f;
-        path.segments += lanes_any(wasted < -1e30f) ? 1u : 0u;
+SLOW = SEGMENT + """            lanes_f wasted = path.ray.direction.x;
+            for (int i = 0; i < 3000; ++i) wasted = wasted * 0.999f + 0.5f;
+            turn += lanes_any(wasted < -1e30f) ? 1u : 0u;
 """
 
 
@@ -176,7 +176,7 @@ class Refusals(AbTest):
             (("--json", "missing/x.json"), ["--json", "missing/x.json"]),
             (("--new", "missing"), ["--new", "missing"]),
             (("--new-kernels", "missing"), ["--new-kernels", "missing"]),
-            (("--new-config", "missing"), ["missing", "ci, doctor, quick, thesis, tune"]),
+            (("--new-config", "missing"), ["missing", "ci, doctor, quick, speed, thesis, tune"]),
             (("--profile", "fast"), ["--profile", "shared"]),
         ]:
             with self.subTest(words):

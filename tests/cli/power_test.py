@@ -11,27 +11,26 @@ VALIDATE = (*changed(TINY, path_length=128), "-d", "pocl:0", "--skip-time")
 WRONG = (
     ("albedo x 0.98", "pt/pt.cl", "vec_mul(path.throughput, surface.weight)",
      "vec_mul(path.throughput, vec_scale(surface.weight, (lanes_f)(0.98f)))", "standard errors"),
-    ("1 % of paths cut", "pt/pt.cl", "alive & (full |",
-     "alive & ((((unit.pixel * 40503u + unit.sample * 9973u) % 100u == 0u) &"
-     " (path.segments > (unit.pixel * 7919u + unit.sample * 104729u) % launch.path_length)) | full |",
-     "segments a sample"),
-    ("pixel grid shifted by one", "pt/unit.h", "(unit->pixel - row * launch->width))",
-     "(unit->pixel - row * launch->width + 1u))", "block at column"),
+    ("1 % of paths cut", "pt/pt.cl", "ended = full |",
+     "ended = (((unit.pixel_hash + unit.sample * 9973u) % 100u == 0u) & (turn + launch.path_length -"
+     " path.last_turn > (unit.pixel_hash * 7919u + unit.sample * 104729u) % launch.path_length)) | full |", "segments a sample"),
+    ("pixel grid shifted by one", "pt/unit.h", "(pixel - row * launch->width)",
+     "(pixel - row * launch->width + 1u)", "block at column"),
     ("red and blue swapped", "pt/unit.h", "LANE(unit->sum.x, lane), LANE(unit->sum.y, lane), LANE(unit->sum.z, lane)",
      "LANE(unit->sum.z, lane), LANE(unit->sum.y, lane), LANE(unit->sum.x, lane)", "standard errors"),
     ("a sample too many counted", "pt/unit.h", "tally.samples = LANE(unit->samples, lane)",
      "tally.samples = LANE(unit->samples, lane) + (LANE(unit->number, lane) == 77u ? 1u : 0u)", "samples counted"),
     ("a sample too few rendered", "pt/unit.h",
-     "min((lanes_u)(launch->samples_per_unit), launch->spp - first_sample)",
-     "max(min((lanes_u)(launch->samples_per_unit), launch->spp - first_sample) - 1u, (lanes_u)(1u))",
+     "lanes_min_u(first + launch->samples_per_unit, (lanes_u)(launch->spp))",
+     "lanes_min_u(first + launch->samples_per_unit, (lanes_u)(launch->spp)) - 1u",
      "samples counted"),
     ("NaN in one pixel", "pt/pt.cl", "    film[launch.first_pixel + pixel] = sum;",
      "    if (launch.first_pixel + pixel == 4321u) sum.radiance.x = NAN;\n    film[launch.first_pixel + pixel] = sum;",
      "nan at column 97, row 33"),
-    ("random numbers shared by two neighbours", "pt/unit.h", "random_of_path(unit->pixel,",
-     "random_of_path(unit->pixel / 2u,", "random numbers"),
-    ("random numbers shared by two rows", "pt/unit.h", "random_of_path(unit->pixel,",
-     "random_of_path(unit->pixel - unit->pixel / launch->width % 2u * launch->width,", "random numbers"),
+    ("random numbers shared by two neighbours", "pt/unit.h", "random_of_pixel(pixel,",
+     "random_of_pixel(pixel / 2u,", "random numbers"),
+    ("random numbers shared by two rows", "pt/unit.h", "random_of_pixel(pixel,",
+     "random_of_pixel(pixel - row % 2u * launch->width,", "random numbers"),
 )
 
 

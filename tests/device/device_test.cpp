@@ -27,8 +27,8 @@ TEST(Devices, facts_are_sane) {
         EXPECT_GE(info.max_work_group, 1u);
         EXPECT_GE(info.max_work_item_sizes.size(), 3u);
         EXPECT_TRUE(info.profiling) << "OpenCL 1.2 promises profiling queues";
-        EXPECT_THAT((std::set<int>{1, 4, 8, 16}), testing::Contains(info.default_lanes));
-        EXPECT_LE(info.default_lanes, std::max(info.native_float_width, 1));
+        EXPECT_THAT((std::set<int>{1, 4, 8, 16, 32}), testing::Contains(info.default_lanes));
+        EXPECT_LE(info.default_lanes, 2 * std::max(info.native_float_width, 1));
     });
 }
 

@@ -68,7 +68,7 @@ TEST(Axis, bad_values_name_the_axis_what_was_found_and_what_is_allowed) {
     EXPECT_EQ(complaint("spp=0"), "spp: found \"0\"; allowed: an integer from 1 to 2147483647");
     EXPECT_EQ(complaint("path_length=[128,0]"),
               "path_length: found \"0\"; allowed: an integer from 1 to 2147483647");
-    EXPECT_EQ(complaint("lanes=2"), "lanes: found \"2\"; allowed: auto, 1, 4, 8, 16");
+    EXPECT_EQ(complaint("lanes=2"), "lanes: found \"2\"; allowed: auto, 1, 4, 8, 16, 32");
 }
 
 TEST(Axis, bad_sizes_and_work_groups_are_refused) {

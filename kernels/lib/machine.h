@@ -1,0 +1,33 @@
+/* What this compiler and machine offer beyond OpenCL C 1.2. Every use has a portable twin beside it; PTB_PORTABLE
+   switches them all off, to measure what they are worth. */
+#ifndef PTB_LIB_MACHINE_H
+#define PTB_LIB_MACHINE_H
+
+#if !defined(PTB_PORTABLE) && defined(__has_builtin)
+#define PTB_HAS(builtin) __has_builtin(builtin)
+#else
+#define PTB_HAS(builtin) 0
+#endif
+
+/* One ray a work-item is best on GPUs, see lib/lanes.h. */
+#ifndef PTB_LANES
+#define PTB_LANES 1
+#endif
+
+/* Floats in a register whose own instructions are used: 16 (AVX-512), 8 (AVX2) or 0. */
+#if PTB_LANES >= 16 && defined(__AVX512F__) && PTB_HAS(__builtin_ia32_permvarsf512) && PTB_HAS(__builtin_ia32_rsqrt14ps512_mask)
+#define PTB_X86 16
+#elif PTB_LANES >= 8 && defined(__AVX2__) && PTB_HAS(__builtin_ia32_permvarsf256) && PTB_HAS(__builtin_ia32_rsqrtps256)
+#define PTB_X86 8
+#else
+#define PTB_X86 0
+#endif
+
+/* NVIDIA's instructions, as inline assembler. */
+#if !defined(PTB_PORTABLE) && (defined(__NV_CL_C_VERSION) || defined(cl_nv_pragma_unroll))
+#define PTB_PTX 1
+#else
+#define PTB_PTX 0
+#endif
+
+#endif

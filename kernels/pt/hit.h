@@ -1,0 +1,138 @@
+/* Where a ray meets the scene. */
+#ifndef PTB_PT_HIT_H
+#define PTB_PT_HIT_H
+
+#include "pt/scene.h"
+
+/* The nearest sphere so far. Distances compare by their bits: those of a missed sphere (NaN) and of one behind
+   (negative) are larger than any positive float's as unsigned numbers, so one comparison refuses all three. */
+typedef struct Hit {
+#ifdef PT_FEW
+    lanes_u key; /* the distance with the sphere's number in its low bits, so one minimum finds both: 2^-20 of the
+                    distance is lost, which no path notices */
+#else
+    lanes_u distance_bits, number;
+#endif
+#ifdef PT_CARRIED
+    lanes_f half_linear[PT_FEW];
+#endif
+} Hit;
+
+#define HIT_FAR 0x7f7ffff0u /* a large float, of low bits 0 */
+
+#ifdef PT_FEW
+
+#define HIT_NUMBER 15u
+
+static inline Hit no_hit(uint background) {
+    Hit hit;
+    hit.key = (lanes_u)(HIT_FAR | background);
+    return hit;
+}
+static inline void hit_offer(Hit* hit, lanes_f distance, uint sphere, uint distance_mask) {
+    hit->key = lanes_min_u((lanes_as_u(distance) & distance_mask) | sphere, hit->key);
+}
+static inline lanes_f hit_distance(const Hit* hit) { return lanes_as_f(hit->key); }
+static inline lanes_u hit_sphere(const Hit* hit) { return hit->key & HIT_NUMBER; }
+
+#else
+
+static inline Hit no_hit(uint background) {
+    Hit hit;
+    hit.distance_bits = (lanes_u)(HIT_FAR);
+    hit.number = (lanes_u)(background);
+    return hit;
+}
+static inline void hit_offer(Hit* hit, lanes_f distance, uint sphere, uint distance_mask) {
+    (void)distance_mask;
+    const lanes_u bits = lanes_as_u(distance);
+    hit->number = lanes_select_u(hit->number, (lanes_u)(sphere), bits < hit->distance_bits);
+    hit->distance_bits = lanes_min_u(bits, hit->distance_bits);
+}
+static inline lanes_f hit_distance(const Hit* hit) { return lanes_as_f(hit->distance_bits); }
+static inline lanes_u hit_sphere(const Hit* hit) { return hit->number; }
+
+#endif
+
+/* Two spheres a turn leave the registers to the interleaved rays of a CPU: 1.03 of one, and of all. GPUs take all. */
+#if PTB_X86
+#define HIT_LOOP _Pragma("clang loop unroll_count(2)")
+#else
+#define HIT_LOOP
+#endif
+
+/* A sphere is met at b -+ sqrt(b b + gap), with b = d.(c - o) and gap = r^2 - |o - c|^2. Computed like this, the gap of a
+   large wall would be lost in rounding: |o - c|^2 has an ulp of 8 at a radius of 10 000. There are two ways around it.
+
+   PT_CARRIED, for few spheres and one ray a work-item: a path carries every sphere's gap in a register. It starts as
+   rounded from double on the host, and a move by t along d adds t (2 b - t).
+   Otherwise gap = 2 o.c - o.o - k, where k = |c|^2 - r^2, rounded from double, and all terms are twenty times smaller. */
+typedef struct Line {
+    Vec direction;
+    lanes_f minus_od;
+#ifndef PT_CARRIED
+    Vec twice_origin;
+    lanes_f minus_oo;
+#endif
+} Line;
+
+static inline Line line_of(const Ray* ray) {
+    Line line;
+    line.direction = ray->direction;
+    line.minus_od = -vec_dot(ray->origin, ray->direction);
+#ifndef PT_CARRIED
+    line.twice_origin = vec_scale(ray->origin, (lanes_f)(2.0f));
+    line.minus_oo = -vec_dot(ray->origin, ray->origin);
+#endif
+    return line;
+}
+
+typedef struct Quadratic {
+    lanes_f b, d; /* distance = b -+ sqrt(d) */
+} Quadratic;
+
+/* Of sphere number i. */
+static inline Quadratic quadratic_of(float4 centre_k, uint i, const Line* line, const Ray* ray, Hit* hit) {
+    Quadratic e;
+    e.b = vec_dot_add(centre_k, line->direction, line->minus_od);
+#ifdef PT_CARRIED
+    e.d = e.b * e.b + ray->gap[i];
+    hit->half_linear[i] = e.b;
+#else
+    (void)i, (void)ray, (void)hit;
+    e.d = e.b * e.b + vec_dot_add(centre_k, line->twice_origin, line->minus_oo - centre_k.w);
+#endif
+    return e;
+}
+
+/* The nearest sphere ahead of each ray. No epsilon: a path knows on which side of every sphere it is, whatever rounding
+   did to the ray's origin. From outside, a sphere is met at the near root, so a ray that leaves a sphere cannot meet it
+   again (the root is negative); from inside it is always met, at the far root. */
+static inline Hit nearest_hit(Scene scene, const Ray* ray, const Sides* inside) {
+    const Line line = line_of(ray);
+    Hit hit = no_hit(scene.count);
+    HIT_LOOP
+    for (uint i = 0; i < scene.opaque; ++i) {
+        const Quadratic e = quadratic_of(scene.spheres[i].centre_k, i, &line, ray, &hit);
+        hit_offer(&hit, e.b - lanes_sqrt(e.d), i, scene.distance_mask);
+    }
+    HIT_LOOP
+    for (uint i = scene.opaque; i < scene.count; ++i) {
+        const Quadratic e = quadratic_of(scene.spheres[i].centre_k, i, &line, ray, &hit);
+        const lanes_mask in = is_inside(inside, i - scene.opaque);
+        const lanes_f root = lanes_sqrt(lanes_select(e.d, lanes_abs(e.d), in));
+        hit_offer(&hit, e.b + lanes_select(-root, root, in), i, scene.distance_mask);
+    }
+    return hit;
+}
+
+/* Moves the rays to their hits. */
+static inline void move_to_hit(Ray* ray, const Hit* hit) {
+    const lanes_f t = hit_distance(hit);
+    ray->origin = vec_add_scaled(ray->origin, ray->direction, t);
+#ifdef PT_CARRIED
+    for (uint i = 0; i < PT_FEW; ++i) ray->gap[i] += t * (2.0f * hit->half_linear[i] - t);
+#endif
+}
+
+#endif
