@@ -25,6 +25,8 @@ int dispatch(const ptb::Options& options, const std::vector<std::string>& argv) 
             return ptb::compare_command(options);
         case ptb::Options::Command::ab:
             return ptb::ab_command(options, argv);
+        case ptb::Options::Command::report:
+            return ptb::report_command(options);
         case ptb::Options::Command::worker:
             return ptb::worker_command_line(options);
         case ptb::Options::Command::run:

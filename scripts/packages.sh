@@ -18,6 +18,9 @@ libboost-dev            processes, quantiles
 libboost-filesystem-dev needed by Boost.Process
 libopenexr-dev          EXR images
 libpng-dev              PNG images
+libwebp-dev             small pictures in reports
+zlib1g-dev              small data in reports
+libjs-chart.js          charts in reports
 '
 
 # shellcheck disable=SC2034 # used by test.sh
@@ -28,6 +31,7 @@ libgtest-dev            test framework
 libgmock-dev            test framework
 python3                 tests of the command line
 python3-jsonschema      tests of the schemas
+chromium                tests of reports
 oclgrind                races and bad accesses in kernels
 mesa-opencl-icd         a second OpenCL driver
 clang-14                lint: compiles every kernel

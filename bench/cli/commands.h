@@ -14,6 +14,7 @@ int list_command(const Options& options);
 int render_command(const Options& options);
 int compare_command(const Options& options);
 int ab_command(const Options& options, const std::vector<std::string>& argv);
+int report_command(const Options& options);
 int worker_command_line(const Options& options);
 
 /// How workers of this run are started.

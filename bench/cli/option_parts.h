@@ -21,5 +21,6 @@ void add_common_flags(CLI::App& app, CommonFlags& flags);
 // The commands whose grammar is not in options.cpp.
 void add_compare_flags(CLI::App& app, CompareFlags& flags);
 void add_ab_flags(CLI::App& app, AbFlags& flags);
+void add_report_flags(CLI::App& app, ReportFlags& flags);
 
 }  // namespace ptb

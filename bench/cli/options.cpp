@@ -113,6 +113,7 @@ void add_outputs(CLI::App& app, RunFlags& flags) {
     option(app, "--csv", flags.csv, "also write CSV here (- for stdout)");
     option(app, "--csv-samples", flags.csv_samples, "write every sample as CSV here (- for stdout)");
     option(app, "--md", flags.md, "also write Markdown here (- for stdout)");
+    option(app, "--html", flags.html, "also write a page here (- for stdout)");
     option(app, "--out", flags.out, "folder of all outputs [ptbench-results/TIME-CONFIG]");
 }
 
@@ -143,7 +144,7 @@ void add_run(CLI::App& app, RunFlags& flags, bool& list) {
 /// The command line's grammar, bound to `options`.
 struct Grammar {
     CLI::App app{description, "ptbench"};
-    CLI::App *list, *render, *compare, *ab, *worker;
+    CLI::App *list, *render, *compare, *ab, *report, *worker;
     bool list_flag = false;
 
     explicit Grammar(Options& options) {
@@ -161,11 +162,14 @@ struct Grammar {
         ab = app.add_subcommand("ab", "measure two versions alternately, and decide what changed");
         add_ab_flags(*ab, options.ab);
         add_common_flags(*ab, options.common);
+        report = app.add_subcommand("report", "show stored results: here, as a page, in other formats");
+        add_report_flags(*report, options.report);
+        add_common_flags(*report, options.common);
         worker = app.add_subcommand("worker", "answer requests on stdin; started by ptbench itself");
         worker->group("");
         worker->add_option("--device", options.worker.device, "key of the device");
         worker->add_flag("--probe", options.worker.probe, "print the devices and end");
-        for (auto* command : {&app, list, render, compare, ab, worker}) {
+        for (auto* command : {&app, list, render, compare, ab, report, worker}) {
             command->set_version_flag("--version", std::string("ptbench ") + version::tool);
             command->allow_extras();
         }
@@ -182,7 +186,7 @@ struct Grammar {
     }
 
     const CLI::App& used() const {
-        for (const auto* command : {list, render, compare, ab, worker}) {
+        for (const auto* command : {list, render, compare, ab, report, worker}) {
             if (command->parsed()) return *command;
         }
         return app;
@@ -207,9 +211,9 @@ void refuse_leftovers(const Grammar& grammar, const std::string& first_word) {
                                      did_you_mean(word, known_flags(grammar.used()))));
     }
     if (word != first_word) throw UsageError(fmt::format("unexpected word \"{}\"", printable(left.front())));
-    throw UsageError(fmt::format("unknown command {}{}; commands: run, list, render, compare, ab",
+    throw UsageError(fmt::format("unknown command {}{}; commands: run, list, render, compare, ab, report",
                                  printable(word),
-                                 did_you_mean(word, {"run", "list", "render", "compare", "ab"})));
+                                 did_you_mean(word, {"run", "list", "render", "compare", "ab", "report"})));
 }
 
 /// What stands before a command would be of `run`, and would do nothing.
@@ -224,6 +228,7 @@ Options::Command command_of(const Grammar& grammar) {
     if (grammar.render->parsed()) return Options::Command::render;
     if (grammar.compare->parsed()) return Options::Command::compare;
     if (grammar.ab->parsed()) return Options::Command::ab;
+    if (grammar.report->parsed()) return Options::Command::report;
     return grammar.worker->parsed() ? Options::Command::worker : Options::Command::run;
 }
 

@@ -29,7 +29,7 @@ struct RunFlags {
     std::optional<std::uint64_t> seed;
     std::string timer;
     bool skip_time = false, dry_run = false, dump_config = false, no_isolate = false;
-    std::string json, csv, csv_samples, md;  ///< files, or "-" for stdout
+    std::string json, csv, csv_samples, md, html;  ///< files, or "-" for stdout
     std::string baseline, save_baseline, baseline_dir = "ptbench-baselines";
     std::string out;  ///< folder of the run's outputs, or empty for one named after time and config
 };
@@ -54,7 +54,7 @@ struct JudgeFlags {
     std::string tolerance, require_mde;  ///< percentages, or empty
     std::string profile = "shared";      ///< "shared" (5 %) or "dedicated" (2 %)
     bool strict = false, allow_missing = false;
-    std::string json, md;  ///< files, or "-" for stdout
+    std::string json, md, html;  ///< files, or "-" for stdout
 };
 
 /// Flags of `ab`: what is measured, and in what the sides differ.
@@ -76,9 +76,14 @@ struct CompareFlags {
     JudgeFlags judge;
 };
 
+struct ReportFlags {
+    std::vector<std::string> files;                ///< result files or journals
+    std::string csv, csv_samples, md, html, json;  ///< files, or "-" for stdout
+};
+
 /// A parsed command line.
 struct Options {
-    enum class Command { run, list, render, compare, ab, worker, text };
+    enum class Command { run, list, render, compare, ab, report, worker, text };
     Command command = Command::run;
     std::string text;  ///< of --help or --version: print it and end
     CommonFlags common;
@@ -87,6 +92,7 @@ struct Options {
     RenderFlags render;
     CompareFlags compare;
     AbFlags ab;
+    ReportFlags report;
     WorkerFlags worker;
 };
 

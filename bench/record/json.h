@@ -89,6 +89,10 @@ inline constexpr auto fields<SppFit> = std::make_tuple(required("params", &SppFi
                                                        field("warning", &SppFit::warning));
 
 template <>
+inline constexpr auto fields<Picture> = std::make_tuple(required("params", &Picture::params),
+                                                        required("file", &Picture::file));
+
+template <>
 inline constexpr auto fields<BrokenIcd> = std::make_tuple(required("icd", &BrokenIcd::icd),
                                                           required("reason", &BrokenIcd::reason));
 
@@ -109,13 +113,11 @@ inline constexpr auto fields<RunInfo> = std::make_tuple(
     field("scenes", &RunInfo::scenes), field("coordinator_cpu_s", &RunInfo::coordinator_cpu_s));
 
 template <>
-inline constexpr auto fields<ResultFile> = std::make_tuple(required("run", &ResultFile::run),
-                                                           required("host", &ResultFile::host),
-                                                           required("devices", &ResultFile::devices),
-                                                           field("broken_icds", &ResultFile::broken_icds),
-                                                           field("warnings", &ResultFile::warnings),
-                                                           required("cases", &ResultFile::cases),
-                                                           field("fits", &ResultFile::fits));
+inline constexpr auto fields<ResultFile> =
+    std::make_tuple(required("run", &ResultFile::run), required("host", &ResultFile::host),
+                    required("devices", &ResultFile::devices), field("broken_icds", &ResultFile::broken_icds),
+                    field("warnings", &ResultFile::warnings), required("cases", &ResultFile::cases),
+                    field("fits", &ResultFile::fits), field("pictures", &ResultFile::pictures));
 
 template <>
 inline constexpr auto fields<MeasureOptions> = std::make_tuple(

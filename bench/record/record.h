@@ -104,6 +104,13 @@ struct SppFit {
     bool operator==(const SppFit&) const = default;
 };
 
+/// A picture that the run left, and the case that it is of.
+struct Picture {
+    Case params;
+    std::string file;  ///< name of a file beside the result file: "pocl-0.png"
+    bool operator==(const Picture&) const = default;
+};
+
 /// One ICD that could not be used.
 struct BrokenIcd {
     std::string icd, reason;
@@ -148,6 +155,7 @@ struct ResultFile {
     std::vector<BrokenIcd> broken_icds;
     std::vector<Record> cases;
     std::vector<SppFit> fits;
+    std::vector<Picture> pictures;  ///< the best of each device
     std::vector<std::string> warnings;
     bool operator==(const ResultFile&) const = default;
 };
