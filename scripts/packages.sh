@@ -32,6 +32,10 @@ libgmock-dev            test framework
 python3                 tests of the command line
 python3-jsonschema      tests of the schemas
 chromium                tests of reports
+libbenchmark-tools      a reader of reports: compare.py
+python3-scipy           needed by compare.py
+python3-pandas          a reader of reports
+python3-junitparser     a reader of reports
 oclgrind                races and bad accesses in kernels
 mesa-opencl-icd         a second OpenCL driver
 clang-14                lint: compiles every kernel

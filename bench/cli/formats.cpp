@@ -14,6 +14,7 @@
 #include "bench/record/file.h"
 #include "bench/record/result_file.h"
 #include "bench/report/csv.h"
+#include "bench/report/formats/formats.h"
 #include "bench/report/html/page.h"
 #include "bench/report/markdown.h"
 
@@ -52,7 +53,8 @@ void check_asked(const Destinations& asked) {
         taking_stdout += destination == to_stdout ? 1 : 0;
     }
     if (taking_stdout > 1)
-        throw UsageError("only one of --json, --csv, --csv-samples, --md and --html can write to stdout (-)");
+        throw UsageError(
+            "only one of --json, --csv, --csv-samples, --md, --html and --format can write to stdout (-)");
 }
 
 /// Devices like /dev/null take both.
@@ -77,11 +79,12 @@ std::string text_in(const std::string& format, const std::vector<StoredRun>& run
                     const PublishedTable& published) {
     if (format == "html") return page_of(runs, published);
     if (runs.size() != 1)
-        throw UsageError(fmt::format("--{}: found {} runs; allowed: one", format, runs.size()));
+        throw UsageError(fmt::format("{}: found {} runs; allowed: one, or --html", format, runs.size()));
     const ResultFile& result = runs.front().result;
     if (format == "json") return result_text(result);
     if (format == "csv-samples") return csv_samples(result);
-    return format == "csv" ? csv(result) : markdown(result, published);
+    if (format == "csv") return csv(result);
+    return format == "md" ? markdown(result, published) : format_named(format).write(result);
 }
 
 void write_to(const std::string& destination, const std::string& text) {

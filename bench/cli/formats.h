@@ -30,7 +30,8 @@ struct StoredRun {
     std::filesystem::path folder;
 };
 
-/// "json", "csv", "csv-samples" and "md" show one run, "html" several.
+/// "html" shows several runs, any other format one: "json", "csv", "csv-samples", "md", or that of another
+/// tool.
 std::string text_in(const std::string& format, const std::vector<StoredRun>& runs,
                     const PublishedTable& published);
 

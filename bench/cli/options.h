@@ -79,6 +79,7 @@ struct CompareFlags {
 struct ReportFlags {
     std::vector<std::string> files;                ///< result files or journals
     std::string csv, csv_samples, md, html, json;  ///< files, or "-" for stdout
+    std::string format;                            ///< of another tool, to stdout
 };
 
 /// A parsed command line.

@@ -14,14 +14,13 @@ namespace {
 
 const std::vector<std::string> optional_axes = {"scene", "path_length", "lanes"};
 
-/// Keys in the order in which they first come.
-template <class Key>
-std::vector<Case> distinct(const std::vector<Record>& records, Key key) {
-    std::vector<Case> cases;
+/// Works in the order in which they first come.
+std::vector<Case> works_of(const std::vector<Record>& records) {
+    std::vector<Case> works;
+    std::set<Case> seen;
     for (const Record& record : records)
-        if (const Case c = key(record.params); std::find(cases.begin(), cases.end(), c) == cases.end())
-            cases.push_back(c);
-    return cases;
+        if (const Case work = without_device(record.params); seen.insert(work).second) works.push_back(work);
+    return works;
 }
 
 using Times = std::map<Case, double>;  ///< ns
@@ -43,17 +42,13 @@ std::size_t varying_devices(const std::vector<Record>& records) {
     return keys.size();
 }
 
-/// The records of one work, CPUs before GPUs, the faster first.
-std::vector<Record> of_work(const ResultFile& result, const std::vector<Record>& records, const Case& work) {
-    std::vector<Record> same;
-    for (const Record& record : records)
-        if (without_device(record.params) == work) same.push_back(record);
+/// CPUs before GPUs, the faster first.
+void group_by_type(const ResultFile& result, std::vector<Record>& same) {
     const auto place = [&](const Record& r) {
         return std::pair(device_of(result, r.params.device).type, r.statistics->median_ns);
     };
     std::stable_sort(same.begin(), same.end(),
                      [&](const Record& a, const Record& b) { return place(a) < place(b); });
-    return same;
 }
 
 void append_axes(std::vector<std::string>& cells, const Case& c, const std::vector<std::string>& axes) {
@@ -98,8 +93,11 @@ Section devices_section(const ResultFile& result) {
          {Column{"type"}, Column{"device", false, 36}, Column{unit.title("time"), true},
           Column{"x slowest", true}, Column{"speed", false, 0, true}, Column{""}})
         section.grid.columns.push_back(column);
-    for (const Case& work : distinct(records, without_device))
-        append_work(section.grid, result, of_work(result, records, work), axes, unit);
+    auto works = by_work(records);
+    for (const Case& work : works_of(records)) {
+        group_by_type(result, works[work]);
+        append_work(section.grid, result, works[work], axes, unit);
+    }
     section.notes = {"x slowest: times as fast as the slowest device at the same work; implicit work-groups"};
     return section;
 }

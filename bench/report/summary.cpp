@@ -25,17 +25,13 @@ std::string work_text(const Case& c) {
 
 /// Records of one work, fastest first: that which most devices did; of pt, of many samples, rather than not.
 std::vector<Record> headline(const std::vector<Record>& records) {
-    std::vector<Record> best;
     const auto rank = [](const std::vector<Record>& r) {
         const Case& c = r.front().params;
         return std::tuple(r.size(), c.kernel == "pt", c.spp, c.size.pixels());
     };
-    for (const Record& first : records) {
-        std::vector<Record> same;
-        for (const Record& record : records)
-            if (without_device(record.params) == without_device(first.params)) same.push_back(record);
+    std::vector<Record> best;
+    for (const auto& [work, same] : by_work(records))
         if (best.empty() || rank(same) > rank(best)) best = same;
-    }
     std::sort(best.begin(), best.end(), [](const Record& a, const Record& b) {
         return a.statistics->median_ns < b.statistics->median_ns;
     });

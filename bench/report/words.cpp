@@ -82,6 +82,12 @@ std::vector<Record> comparable(const ResultFile& result) {
     return records;
 }
 
+std::map<Case, std::vector<Record>> by_work(const std::vector<Record>& records) {
+    std::map<Case, std::vector<Record>> works;
+    for (const Record& record : records) works[without_device(record.params)].push_back(record);
+    return works;
+}
+
 Case without_device(Case c) {
     c.device.clear();
     return c;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,7 +44,8 @@ bool timed(const Record& record);
 /// Timed records with implicit work-groups: those that every device can be compared in.
 std::vector<Record> comparable(const ResultFile& result);
 
-/// The work that devices are compared in.
+/// Records of the same work on whichever device; a work is a case without its device.
+std::map<Case, std::vector<Record>> by_work(const std::vector<Record>& records);
 Case without_device(Case c);
 
 /// Those of `axes` in which the records differ.
