@@ -29,6 +29,8 @@ int dispatch(const ptb::Options& options, const std::vector<std::string>& argv) 
             return ptb::tune_command(options);
         case ptb::Options::Command::doctor:
             return ptb::doctor_command(options);
+        case ptb::Options::Command::report:
+            return ptb::report_command(options);
         case ptb::Options::Command::worker:
             return ptb::worker_command_line(options);
         case ptb::Options::Command::run:

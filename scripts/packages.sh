@@ -18,6 +18,9 @@ libboost-dev            processes, quantiles
 libboost-filesystem-dev needed by Boost.Process
 libopenexr-dev          EXR images
 libpng-dev              PNG images
+libwebp-dev             small pictures in reports
+zlib1g-dev              small data in reports
+libjs-chart.js          charts in reports
 '
 
 # shellcheck disable=SC2034 # used by test.sh
@@ -29,6 +32,11 @@ libgmock-dev            test framework
 locales                 a locale whose numbers have commas
 python3                 tests of the command line
 python3-jsonschema      tests of the schemas
+chromium                tests of reports
+libbenchmark-tools      a reader of reports: compare.py
+python3-scipy           needed by compare.py
+python3-pandas          a reader of reports
+python3-junitparser     a reader of reports
 oclgrind                races and bad accesses in kernels
 mesa-opencl-icd         a second OpenCL driver
 clang-14                lint: compiles every kernel

@@ -85,6 +85,7 @@ int ab_command(const Options& options, const std::vector<std::string>& argv) {
     measure(plan, options, cases, gate);
     write_gate(file, gate);
     show_rows(rows_of(gate), title_of(gate), options.ab.judge, table_stream(options.ab.judge));
+    write_page({rows_of(gate), title_of(gate), {}, read_text(file)}, options.ab.judge);
     tell(options.common, fmt::format("written: {}", file.string()));
     return exit_code(outcome_of(gate));
 }

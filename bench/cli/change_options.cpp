@@ -17,6 +17,7 @@ void add_judging(CLI::App& app, JudgeFlags& flags) {
     app.add_flag("--allow-missing", flags.allow_missing, "pass although cases of the base have no new time");
     app.add_option("--json", flags.json, "write the result here");
     app.add_option("--md", flags.md, "write the table as Markdown here (- for stdout)");
+    app.add_option("--html", flags.html, "write a page here (- for stdout)");
 }
 
 /// Files after a flag, as many as stand there.

@@ -16,6 +16,7 @@ int compare_command(const Options& options);
 int ab_command(const Options& options, const std::vector<std::string>& argv);
 int tune_command(const Options& options);
 int doctor_command(const Options& options);
+int report_command(const Options& options);
 int worker_command_line(const Options& options);
 
 /// How workers of this run are started.

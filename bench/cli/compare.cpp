@@ -21,7 +21,9 @@ int replay(const CompareFlags& flags) {
             throw std::runtime_error(fmt::format("{}: /findings/{}/state: stored is {}, its data say {}",
                                                  flags.replay, i, to_string(stored), to_string(decided)));
     }
+    check_outputs(flags.judge);
     show_rows(rows_of(again), title_of(again), flags.judge, table_stream(flags.judge));
+    write_page({rows_of(again), title_of(again), {}, read_text(flags.replay)}, flags.judge);
     return exit_code(outcome_of(again));
 }
 

@@ -81,12 +81,20 @@ void show_comparison(const Comparison& comparison, const std::string& title, con
     if (flags.json == "-") put(stdout, json);
     if (!flags.json.empty() && flags.json != "-") write_file(flags.json, json);
     if (!comparison.rows.empty()) show_rows(comparison.rows, title, flags, out);
+    write_page({comparison.rows, title, {comparison.differing.begin(), comparison.differing.end()}, json},
+               flags);
+}
+
+void write_page(const ComparedPage& compared, const JudgeFlags& flags) {
+    if (flags.html == "-") put(stdout, compared_page(compared));
+    if (!flags.html.empty() && flags.html != "-") write_file(flags.html, compared_page(compared));
 }
 
 void check_outputs(const JudgeFlags& flags) {
-    if (flags.json == "-" && flags.md == "-")
-        throw UsageError("only one of --json and --md can write to stdout (-)");
-    for (const auto& [flag, file] : {std::pair("--json", flags.json), std::pair("--md", flags.md)})
+    const int taking_stdout = (flags.json == "-") + (flags.md == "-") + (flags.html == "-");
+    if (taking_stdout > 1) throw UsageError("only one of --json, --md and --html can write to stdout (-)");
+    for (const auto& [flag, file] :
+         {std::pair("--json", flags.json), std::pair("--md", flags.md), std::pair("--html", flags.html)})
         if (!file.empty() && file != "-") check_writable(flag, file);
 }
 
@@ -99,7 +107,7 @@ void show_rows(const std::vector<Row>& rows, const std::string& title, const Jud
 }
 
 std::FILE* table_stream(const JudgeFlags& flags) {
-    return flags.json == "-" || flags.md == "-" ? stderr : stdout;
+    return flags.json == "-" || flags.md == "-" || flags.html == "-" ? stderr : stdout;
 }
 
 }  // namespace ptb

@@ -9,6 +9,7 @@
 #include "bench/compare/gate_file.h"
 #include "bench/compare/sessions.h"
 #include "bench/plan/tolerance.h"
+#include "bench/report/html/page.h"
 
 namespace ptb {
 
@@ -34,7 +35,10 @@ void add_comparison(Outcome& outcome, const Comparison& comparison, const JudgeF
 void show_comparison(const Comparison& comparison, const std::string& title, const JudgeFlags& flags,
                      std::FILE* out);
 
-/// Makes sure that --json and --md can be written, before there is anything to write.
+/// Writes the page of a comparison where --html says.
+void write_page(const ComparedPage& compared, const JudgeFlags& flags);
+
+/// Makes sure that --json, --md and --html can be written, before there is anything to write.
 void check_outputs(const JudgeFlags& flags);
 
 /// The table to `out`, and Markdown where --md says.

@@ -23,5 +23,6 @@ void add_compare_flags(CLI::App& app, CompareFlags& flags);
 void add_ab_flags(CLI::App& app, AbFlags& flags);
 void add_tune_flags(CLI::App& app, TuneFlags& flags);
 void add_doctor_flags(CLI::App& app, DoctorFlags& flags);
+void add_report_flags(CLI::App& app, ReportFlags& flags);
 
 }  // namespace ptb

@@ -119,6 +119,7 @@ void add_outputs(CLI::App& app, RunFlags& flags) {
     option(app, "--csv", flags.csv, "also write CSV here (- for stdout)");
     option(app, "--csv-samples", flags.csv_samples, "write every sample as CSV here (- for stdout)");
     option(app, "--md", flags.md, "also write Markdown here (- for stdout)");
+    option(app, "--html", flags.html, "also write a page here (- for stdout)");
     option(app, "--out", flags.out, "folder of all outputs [ptbench-results/TIME-CONFIG]");
 }
 
@@ -152,7 +153,7 @@ void add_run(CLI::App& app, RunFlags& flags, bool& list) {
 /// The command line's grammar, bound to `options`.
 struct Grammar {
     CLI::App app{description, "ptbench"};
-    CLI::App *list, *render, *compare, *ab, *tune, *doctor, *worker;
+    CLI::App *list, *render, *compare, *ab, *tune, *doctor, *report, *worker;
     bool list_flag = false;
 
     explicit Grammar(Options& options) {
@@ -179,11 +180,14 @@ struct Grammar {
                                     "what disturbs measurements here, and how small a change can be seen");
         add_doctor_flags(*doctor, options.doctor);
         add_common_flags(*doctor, options.common);
+        report = app.add_subcommand("report", "show stored results: here, as a page, in other formats");
+        add_report_flags(*report, options.report);
+        add_common_flags(*report, options.common);
         worker = app.add_subcommand("worker", "answer requests on stdin; started by ptbench itself");
         worker->group("");
         worker->add_option("--device", options.worker.device, "key of the device");
         worker->add_flag("--probe", options.worker.probe, "print the devices and end");
-        for (auto* command : {&app, list, render, compare, ab, tune, doctor, worker}) {
+        for (auto* command : {&app, list, render, compare, ab, tune, doctor, report, worker}) {
             command->set_version_flag("--version", std::string("ptbench ") + version::tool);
             command->allow_extras();
         }
@@ -200,7 +204,7 @@ struct Grammar {
     }
 
     const CLI::App& used() const {
-        for (const auto* command : {list, render, compare, ab, tune, doctor, worker}) {
+        for (const auto* command : {list, render, compare, ab, tune, doctor, report, worker}) {
             if (command->parsed()) return *command;
         }
         return app;
@@ -253,9 +257,10 @@ void refuse_leftovers(const Grammar& grammar, const std::string& first_word) {
                                      did_you_mean(word, known_flags(grammar.used()))));
     }
     if (word != first_word) throw UsageError(fmt::format("unexpected word \"{}\"", printable(left.front())));
-    throw UsageError(fmt::format(
-        "unknown command {}{}; commands: run, list, render, compare, ab, tune, doctor", printable(word),
-        did_you_mean(word, {"run", "list", "render", "compare", "ab", "tune", "doctor"})));
+    const std::vector<std::string> commands{"run", "list", "render", "compare",
+                                            "ab",  "tune", "doctor", "report"};
+    throw UsageError(fmt::format("unknown command {}{}; commands: {}", printable(word),
+                                 did_you_mean(word, commands), fmt::join(commands, ", ")));
 }
 
 /// What stands before a command would be of `run`, and would do nothing.
@@ -272,6 +277,7 @@ Options::Command command_of(const Grammar& grammar) {
     if (grammar.ab->parsed()) return Options::Command::ab;
     if (grammar.tune->parsed()) return Options::Command::tune;
     if (grammar.doctor->parsed()) return Options::Command::doctor;
+    if (grammar.report->parsed()) return Options::Command::report;
     return grammar.worker->parsed() ? Options::Command::worker : Options::Command::run;
 }
 

@@ -30,7 +30,7 @@ struct RunFlags {
     std::optional<std::uint64_t> seed;
     std::string timer;
     bool skip_time = false, dry_run = false, dump_config = false, no_isolate = false, peaks = false;
-    std::string json, csv, csv_samples, md;  ///< files, or "-" for stdout
+    std::string json, csv, csv_samples, md, html;  ///< files, or "-" for stdout
     std::string baseline, save_baseline, baseline_dir = "ptbench-baselines";
     bool no_tuned = false;  ///< ignore what `tune` stored
     std::string tune_file;  ///< where it did, or empty for the user's own
@@ -57,7 +57,7 @@ struct JudgeFlags {
     std::string tolerance, require_mde;  ///< percentages, or empty
     std::string profile = "shared";      ///< "shared" (5 %) or "dedicated" (2 %)
     bool strict = false, allow_missing = false;
-    std::string json, md;  ///< files, or "-" for stdout
+    std::string json, md, html;  ///< files, or "-" for stdout
 };
 
 /// Flags of `ab`: what is measured, and in what the sides differ.
@@ -90,9 +90,15 @@ struct DoctorFlags {
     std::string json;  ///< file, or "-" for stdout
 };
 
+struct ReportFlags {
+    std::vector<std::string> files;                ///< result files or journals
+    std::string csv, csv_samples, md, html, json;  ///< files, or "-" for stdout
+    std::string format;                            ///< of another tool, to stdout
+};
+
 /// A parsed command line.
 struct Options {
-    enum class Command { run, list, render, compare, ab, tune, doctor, worker, text };
+    enum class Command { run, list, render, compare, ab, tune, doctor, report, worker, text };
     Command command = Command::run;
     std::string text;  ///< of --help or --version: print it and end
     CommonFlags common;
@@ -103,6 +109,7 @@ struct Options {
     AbFlags ab;
     TuneFlags tune;
     DoctorFlags doctor;
+    ReportFlags report;
     WorkerFlags worker;
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <iterator>
 #include <tuple>
@@ -12,44 +11,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "bench/record/file.h"
-#include "bench/record/result_file.h"
-#include "bench/report/csv.h"
-#include "bench/report/markdown.h"
-
 namespace ptb {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto to_stdout = "-";
 constexpr auto journal_name = "journal.jsonl", result_name = "result.json";
-
-using Files = std::vector<std::pair<std::string, fs::path>>;  ///< format and file
-
-/// Two formats in one file: the second would overwrite the first. Devices like /dev/null take both.
-void refuse_shared_files(const Files& files) {
-    std::map<fs::path, std::string> format_of;
-    for (const auto& [format, file] : files) {
-        std::error_code ignored;
-        if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored)) continue;
-        const auto [entry, is_new] =
-            format_of.try_emplace(fs::weakly_canonical(fs::absolute(file), ignored), format);
-        if (entry->second != format)
-            throw UsageError(fmt::format("{} is to hold both {} and {}; name two files", file.string(),
-                                         entry->second, format));
-    }
-}
-
-void check_asked(const std::vector<std::pair<std::string, std::string>>& asked) {
-    int taking_stdout = 0;
-    for (const auto& [format, destination] : asked) {
-        if (destination != to_stdout) check_writable("--" + format, destination);
-        taking_stdout += destination == to_stdout ? 1 : 0;
-    }
-    if (taking_stdout > 1)
-        throw UsageError("only one of --json, --csv, --csv-samples and --md can write to stdout (-)");
-}
 
 /// "2016-05-17T09:30:00Z" -> "2016-05-17T09-30-00Z-quick"; numbered when that is there already.
 fs::path default_folder(const std::string& config, const std::string& started_at) {
@@ -66,19 +33,6 @@ bool create_folder(const fs::path& folder) {
     return created;
 }
 
-std::string text_in(const std::string& format, const ResultFile& result, const PublishedTable& published) {
-    if (format == "json") return result_text(result);
-    if (format == "csv-samples") return csv_samples(result);
-    return format == "csv" ? csv(result) : markdown(result, published);
-}
-
-void print_to_stdout(const std::string& text) {
-    const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-    if (!whole || std::fflush(stdout) != 0) {
-        throw std::runtime_error(fmt::format("cannot write to stdout: {}", std::strerror(errno)));
-    }
-}
-
 /// A resumed run goes on in the folder where it began, if that is where its file still is.
 fs::path folder_of(const RunFlags& flags, const std::string& config, const std::string& started_at) {
     if (!flags.out.empty()) return flags.out;
@@ -90,6 +44,24 @@ fs::path folder_of(const RunFlags& flags, const std::string& config, const std::
 
 /// What makes a better picture: the pt kernel, an implicit work-group, more samples.
 auto rank(const Case& c) { return std::tuple(c.kernel == "pt", c.work_group.implicit(), c.spp); }
+
+/// The cases that write their device's picture if they can, in plan order: each as good as those before it.
+std::vector<Case> improving(const std::vector<Case>& cases) {
+    std::vector<Case> chosen;
+    std::map<std::string, const Case*> best;
+    for (const Case& c : cases) {
+        const Case*& so_far = best[c.device];
+        if (so_far != nullptr && rank(c) < rank(*so_far)) continue;
+        so_far = &c;
+        chosen.push_back(c);
+    }
+    return chosen;
+}
+
+std::string picture_name(const Case& c) { return file_safe(c.device) + ".png"; }
+
+/// A timed image is written even where it is then found to be wrong.
+bool left_a_picture(const Record& record) { return record.work && record.work->segments > 0; }
 
 }  // namespace
 
@@ -118,11 +90,11 @@ Outputs::Outputs(fs::path folder) : folder_(std::move(folder)) {}
 // Once the delegated constructor is done, the destructor tidies up after one that throws.
 Outputs::Outputs(const RunFlags& flags, const std::string& config, const std::string& started_at)
     : Outputs(folder_of(flags, config, started_at)) {
-    for (const auto& [format, destination] :
-         {std::pair("json", flags.json), std::pair("csv", flags.csv),
-          std::pair("csv-samples", flags.csv_samples), std::pair("md", flags.md)}) {
-        if (!destination.empty()) asked_.emplace_back(format, destination);
-    }
+    asked_ = asked_for({{"json", flags.json},
+                        {"csv", flags.csv},
+                        {"csv-samples", flags.csv_samples},
+                        {"md", flags.md},
+                        {"html", flags.html}});
     refuse_shared_files(files());
     created_ = create_folder(folder_);
     check_asked(asked_);
@@ -139,12 +111,8 @@ Outputs::~Outputs() {
 std::map<Case, std::string> Outputs::pictures(const std::vector<Case>& cases, const std::set<Case>& done) {
     std::map<Case, std::string> files;
     std::set<std::string> kept;
-    std::map<std::string, const Case*> best;
-    for (const Case& c : cases) {
-        const Case*& so_far = best[c.device];
-        if (so_far != nullptr && rank(c) < rank(*so_far)) continue;
-        so_far = &c;
-        const std::string file = (folder_ / (file_safe(c.device) + ".png")).string();
+    for (const Case& c : improving(cases)) {
+        const std::string file = (folder_ / picture_name(c)).string();
         pictures_.insert(file);
         if (done.contains(c)) {
             kept.insert(file);
@@ -159,10 +127,23 @@ std::map<Case, std::string> Outputs::pictures(const std::vector<Case>& cases, co
     return files;
 }
 
-bool Outputs::stdout_is_taken() const {
-    return std::any_of(asked_.begin(), asked_.end(),
-                       [](const auto& each) { return each.second == to_stdout; });
+std::vector<Picture> Outputs::made(const std::vector<Record>& records) const {
+    std::map<Case, const Record*> record_of;
+    std::vector<Case> cases;
+    for (const Record& record : records) {
+        record_of[record.params] = &record;
+        cases.push_back(record.params);
+    }
+    std::map<std::string, Case> maker;
+    for (const Case& c : improving(cases))
+        if (left_a_picture(*record_of.at(c))) maker[picture_name(c)] = c;
+    std::vector<Picture> pictures;
+    for (const auto& [file, c] : maker)
+        if (fs::exists(folder_ / file)) pictures.push_back({c, file});
+    return pictures;
 }
+
+bool Outputs::stdout_is_taken() const { return takes_stdout(asked_); }
 
 fs::path Outputs::journal() const { return folder_ / journal_name; }
 
@@ -175,22 +156,18 @@ void Outputs::write(const ResultFile& result, const PublishedTable& published) {
     }
 }
 
-std::vector<std::pair<std::string, fs::path>> Outputs::files() const {
-    Files files{
-        {"json", folder_ / result_name}, {"csv", folder_ / "result.csv"}, {"md", folder_ / "table.md"}};
-    for (const auto& [format, destination] : asked_) {
-        if (destination != to_stdout) files.emplace_back(format, destination);
-    }
+Destinations Outputs::files() const {
+    Destinations files{{"json", (folder_ / result_name).string()},
+                       {"csv", (folder_ / "result.csv").string()},
+                       {"md", (folder_ / "table.md").string()}};
+    files.insert(files.end(), asked_.begin(), asked_.end());
     return files;
 }
 
 void Outputs::write_all(const ResultFile& result, const PublishedTable& published) {
-    for (const auto& [format, file] : files()) {
-        write_file(file, text_in(format, result, published));
-        written_.push_back(file.string());
-    }
-    for (const auto& [format, destination] : asked_) {
-        if (destination == to_stdout) print_to_stdout(text_in(format, result, published));
+    for (const auto& [format, destination] : files()) {
+        write_to(destination, text_in(format, {{result, folder_}}, published));
+        if (destination != to_stdout) written_.push_back(destination);
     }
 }
 

@@ -6,14 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "bench/cli/formats.h"
 #include "bench/cli/options.h"
 #include "bench/record/record.h"
 #include "bench/report/published.h"
 
 namespace ptb {
 
-/// The outputs of a run: a folder with everything, and what --json, --csv, --csv-samples and --md ask for
-/// beside it.
+/// The outputs of a run: a folder with everything, and what --json, --csv, --csv-samples, --md and --html
+/// ask for beside it.
 class Outputs {
   public:
     /// Creates the folder and makes sure that everything can be written. Throws UsageError, leaving nothing.
@@ -27,6 +28,8 @@ class Outputs {
     /// so that a case that is skipped does not leave a device without one. `done` are those of a resumed run
     /// that have; the pictures of any other older run are removed.
     std::map<Case, std::string> pictures(const std::vector<Case>& cases, const std::set<Case>& done = {});
+    /// Of the pictures that are there now, the cases that made them.
+    std::vector<Picture> made(const std::vector<Record>& records) const;
     std::filesystem::path journal() const;
     bool stdout_is_taken() const;
 
@@ -39,13 +42,13 @@ class Outputs {
 
   private:
     explicit Outputs(std::filesystem::path folder);
-    /// Format and file of all that is written beside stdout.
-    std::vector<std::pair<std::string, std::filesystem::path>> files() const;
+    /// All that is written.
+    Destinations files() const;
     void write_all(const ResultFile& result, const PublishedTable& published);
 
     std::filesystem::path folder_;
     bool created_ = false;
-    std::vector<std::pair<std::string, std::string>> asked_;  ///< format and destination
+    Destinations asked_;
     std::vector<std::string> written_;
     std::set<std::string> pictures_;
 };

@@ -49,9 +49,13 @@ RunFingerprint fingerprint_with_kernels(const ResultFile& now, const std::vector
 
 }  // namespace
 
+ResultFile read_run(const std::filesystem::path& file) {
+    return is_journal(file) ? read_journal(file) : read_result(file);
+}
+
 std::optional<ResultFile> earlier_run(const RunFlags& flags) {
     if (flags.resume.empty()) return std::nullopt;
-    return is_journal(flags.resume) ? read_journal(flags.resume) : read_result(flags.resume);
+    return read_run(flags.resume);
 }
 
 Config config_of(const ResultFile& earlier, const std::string& file) {

@@ -174,7 +174,9 @@ void run_plan(const Options& options, const Prepared& prepared, const Outputs& o
 
 void report(const Options& options, const Prepared& prepared, Outputs& outputs, const ResultFile& result) {
     const bool taken = outputs.stdout_is_taken();
-    if (!taken || !options.common.quiet) put(taken ? stderr : stdout, table(result, prepared.published));
+    std::FILE* const out = taken ? stderr : stdout;
+    if (!taken || !options.common.quiet)
+        put(out, table(result, prepared.published, text_style(options.common, out)));
     tell_build_logs(options.common, result.cases);
     outputs.write(result, prepared.published);
     tell(options.common, fmt::format("written: {}", fmt::join(outputs.written(), " ")));
@@ -198,6 +200,7 @@ int measure(const Options& options, Prepared& prepared, ResultFile& result, cons
     result.run.wall_s += steady_seconds() - start_s;
     result.run.coordinator_cpu_s += process_cpu_s();
     result.run.interrupted = stopped();
+    result.pictures = outputs.made(result.cases);
     baseline.judge(result, prepared.config);
     report(options, prepared, outputs, result);
     Outcome outcome = outcome_of(result.cases);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "bench/worker/progress.h"
 #include "core/input/printable.h"
 
 namespace ptb {
@@ -23,6 +24,10 @@ bool use_colour(const CommonFlags& flags, std::FILE* out) {
     if (flags.color != "auto") return flags.color == "always";
     const char* const no_colour = std::getenv("NO_COLOR");
     return (no_colour == nullptr || *no_colour == '\0') && ::isatty(::fileno(out)) != 0;
+}
+
+TextStyle text_style(const CommonFlags& flags, std::FILE* out) {
+    return {::isatty(::fileno(out)) != 0 ? columns_of(out) : 0, use_colour(flags, out)};
 }
 
 void tell_what_is_left_out(const CommonFlags& flags, const DeviceList& list) {

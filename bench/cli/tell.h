@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/cli/options.h"
+#include "bench/report/grid.h"
 #include "bench/worker/probe.h"
 
 namespace ptb {
@@ -18,6 +19,9 @@ void tell(const CommonFlags& flags, const std::string& line);
 
 /// Whether to colour what goes to `out`: as --color says, else only on a terminal and without NO_COLOR.
 bool use_colour(const CommonFlags& flags, std::FILE* out);
+
+/// Width and colours of what goes to `out`; no limit unless it is a terminal.
+TextStyle text_style(const CommonFlags& flags, std::FILE* out);
 
 /// Under -v: devices and drivers that are not used, and why.
 void tell_what_is_left_out(const CommonFlags& flags, const DeviceList& list);

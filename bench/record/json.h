@@ -112,6 +112,10 @@ inline constexpr auto fields<SppFit> = std::make_tuple(required("params", &SppFi
                                                        field("warning", &SppFit::warning));
 
 template <>
+inline constexpr auto fields<Picture> = std::make_tuple(required("params", &Picture::params),
+                                                        required("file", &Picture::file));
+
+template <>
 inline constexpr auto fields<BrokenIcd> = std::make_tuple(required("icd", &BrokenIcd::icd),
                                                           required("reason", &BrokenIcd::reason));
 
@@ -138,7 +142,7 @@ inline constexpr auto fields<ResultFile> =
                     required("devices", &ResultFile::devices), field("broken_icds", &ResultFile::broken_icds),
                     field("warnings", &ResultFile::warnings), required("cases", &ResultFile::cases),
                     field("fits", &ResultFile::fits), field("peaks", &ResultFile::peaks),
-                    field("verdict", &ResultFile::verdict));
+                    field("pictures", &ResultFile::pictures), field("verdict", &ResultFile::verdict));
 
 template <>
 inline constexpr auto fields<MeasureOptions> = std::make_tuple(

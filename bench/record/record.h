@@ -135,6 +135,13 @@ struct DevicePeaks {
     bool operator==(const DevicePeaks&) const = default;
 };
 
+/// A picture that the run left, and the case that it is of.
+struct Picture {
+    Case params;
+    std::string file;  ///< name of a file beside the result file: "pocl-0.png"
+    bool operator==(const Picture&) const = default;
+};
+
 /// One ICD that could not be used.
 struct BrokenIcd {
     std::string icd, reason;
@@ -180,6 +187,7 @@ struct ResultFile {
     std::vector<BrokenIcd> broken_icds;
     std::vector<Record> cases;
     std::vector<SppFit> fits;
+    std::vector<Picture> pictures;  ///< the best of each device
     std::vector<std::string> warnings;
     std::vector<DevicePeaks> peaks;  ///< with --peaks
     JsonText verdict;                ///< beside a baseline, as `compare --json` writes it

@@ -189,7 +189,9 @@ std::string csv(const ResultFile& result) {
 
 std::string csv_samples(const ResultFile& result) {
     static const Columns spp = {{"spp", axis("spp")}};
-    const auto columns = joined({device_columns(), spp, case_columns()});
+    static const Columns renders = {
+        {"renders", of_work([](const Work& w) { return std::to_string(w.renders); })}};
+    const auto columns = joined({device_columns(), spp, case_columns(), renders});
     auto names = header(columns);
     for (const char* name :
          {"sample", "kernel_ns", "sum_ns", "host_ns", "queued_ns", "submit_ns", "probe_ns", "cause"})

@@ -11,7 +11,7 @@ namespace ptb {
 /// gets a ' in front.
 std::string csv(const ResultFile& result);
 
-/// One line for each sample of time, in nanoseconds.
+/// One line for each sample, in nanoseconds of all its renders.
 std::string csv_samples(const ResultFile& result);
 
 }  // namespace ptb

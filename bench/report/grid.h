@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,15 @@ struct Column {
     std::string title;
     bool number = false;   ///< aligned to the right
     std::size_t most = 0;  ///< characters a terminal shows of a cell; 0: all
+    bool bar = false;      ///< cells are shares from 0 to 1, to be drawn
 };
 
 /// A table of text, whatever it will be written as. Cells hold text as it came: renderers make it safe.
 struct Grid {
     std::vector<Column> columns;
     std::vector<std::vector<std::string>> rows;
+    std::vector<std::size_t> cases{};  ///< of the rows, their places in the result; or empty
+    std::set<std::size_t> best{};      ///< rows to stand out
 };
 
 /// Part of a report: a grid under a title, and remarks beneath it.
@@ -24,9 +28,16 @@ struct Section {
     std::vector<std::string> notes;
 };
 
-/// For a terminal: columns as narrow as their cells, two spaces between them.
-std::string to_text(const Section& section);
-/// As a GitHub-flavoured Markdown table.
+/// What a terminal can show.
+struct TextStyle {
+    std::size_t columns = 0;  ///< 0: no limit
+    bool colour = false;
+};
+
+/// For a terminal: columns as narrow as their cells, two spaces between them. Where that is too wide, text is
+/// wrapped within its columns.
+std::string to_text(const Section& section, const TextStyle& style = {});
+/// As a GitHub-flavoured Markdown table, without bars.
 std::string to_markdown(const Section& section);
 
 }  // namespace ptb

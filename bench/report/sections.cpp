@@ -9,10 +9,10 @@ namespace ptb {
 
 std::vector<Section> report_sections(const ResultFile& result, const PublishedTable& published) {
     std::vector<Section> sections;
-    for (Section& section :
-         std::vector<Section>{times_section(result), fits_section(result), problems_section(result),
-                              devices_section(result), kernels_section(result), peaks_section(result.peaks),
-                              published_section(result, published), remarks_section(result)})
+    for (Section& section : std::vector<Section>{
+             times_section(result), fits_section(result), problems_section(result), devices_section(result),
+             kernels_section(result), peaks_section(result.peaks), published_section(result, published),
+             summary_section(result), remarks_section(result)})
         if (!section.grid.rows.empty() || (section.grid.columns.empty() && !section.notes.empty()))
             sections.push_back(std::move(section));
     return sections;
@@ -29,8 +29,9 @@ std::string joined(const std::vector<Section>& sections, Render render) {
 
 }  // namespace
 
-std::string table(const ResultFile& result, const PublishedTable& published) {
-    return joined(report_sections(result, published), to_text);
+std::string table(const ResultFile& result, const PublishedTable& published, const TextStyle& style) {
+    return joined(report_sections(result, published),
+                  [&](const Section& section) { return to_text(section, style); });
 }
 
 std::string markdown(const ResultFile& result, const PublishedTable& published) {

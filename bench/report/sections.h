@@ -23,6 +23,9 @@ Section peaks_section(const std::vector<DevicePeaks>& peaks);
 /// What the reader should know of the run: interruption, warnings, ICDs and devices that were not used.
 Section remarks_section(const ResultFile& result);
 
+/// Which device is how much faster, how sure that is, and what failed: in sentences.
+Section summary_section(const ResultFile& result);
+
 /// All of a report, empty sections left out.
 std::vector<Section> report_sections(const ResultFile& result, const PublishedTable& published);
 

@@ -8,6 +8,6 @@
 namespace ptb {
 
 /// The report for a terminal. What drivers and files say is made printable.
-std::string table(const ResultFile& result, const PublishedTable& published);
+std::string table(const ResultFile& result, const PublishedTable& published, const TextStyle& style = {});
 
 }  // namespace ptb

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,10 +12,11 @@
 namespace ptb {
 namespace {
 
+bool shown(const Record& record) { return record.status == Status::ok || timed(record); }
+
 std::vector<Record> shown_records(const ResultFile& result) {
     std::vector<Record> records;
-    for (const Record& record : result.cases)
-        if (record.status == Status::ok || timed(record)) records.push_back(record);
+    std::copy_if(result.cases.begin(), result.cases.end(), std::back_inserter(records), shown);
     return records;
 }
 
@@ -104,6 +106,8 @@ Section times_section(const ResultFile& result) {
         for (const auto& axis : axes) row.push_back(case_value(record.params, axis));
         if (notes) row.push_back(note(record));
     }
+    for (std::size_t i = 0; i < result.cases.size(); ++i)
+        if (shown(result.cases[i])) section.grid.cases.push_back(i);
     section.notes = {
         "time: median; +-: half its 95 % interval, or ~ the median absolute deviation of few samples"};
     return section;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "bench/plan/config.h"
+#include "bench/plan/tuned.h"
 
 namespace ptb {
 
@@ -22,6 +24,18 @@ std::string number_text(double value) {
 }
 
 double ms(double ns) { return ns / 1e6; }
+
+std::string TimeUnit::title(const std::string& what) const { return what + " " + name; }
+
+std::string TimeUnit::text(double time_ns) const { return number_text(time_ns / ns); }
+
+TimeUnit unit_of(const std::vector<Record>& records) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Record& record : records) least = std::min(least, record.statistics->median_ns);
+    for (const TimeUnit& unit : {TimeUnit{"s", 1e9}, TimeUnit{"ms", 1e6}})
+        if (std::isfinite(least) && least >= unit.ns) return unit;
+    return std::isfinite(least) ? TimeUnit{"us", 1e3} : TimeUnit{};
+}
 
 std::string spread_text(const Statistics& s) {
     const auto percent = [&](double ns) { return fmt::format("{:.1f}", 100 * ns / s.median_ns); };
@@ -60,6 +74,26 @@ std::string device_label(const ResultFile& result, const std::string& key) {
 bool timed(const Record& record) {
     const bool measured = record.status == Status::ok || record.status == Status::unstable;
     return measured && record.statistics && std::isfinite(record.statistics->median_ns);
+}
+
+std::vector<Record> comparable(const ResultFile& result) {
+    std::vector<Record> records;
+    for (Record record : result.cases) {
+        record.params = as_asked(record.params);
+        if (timed(record) && record.params.work_group.implicit()) records.push_back(record);
+    }
+    return records;
+}
+
+std::map<Case, std::vector<Record>> by_work(const std::vector<Record>& records) {
+    std::map<Case, std::vector<Record>> works;
+    for (const Record& record : records) works[without_device(record.params)].push_back(record);
+    return works;
+}
+
+Case without_device(Case c) {
+    c.device.clear();
+    return c;
 }
 
 std::vector<std::string> varying(const std::vector<Record>& records, const std::vector<std::string>& axes) {

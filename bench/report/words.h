@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,16 @@ std::string number_text(double value);
 
 /// Milliseconds from nanoseconds.
 double ms(double ns);
+
+/// The unit of a column of times: the largest in which none of them is under 1.
+struct TimeUnit {
+    const char* name = "ms";
+    double ns = 1e6;
+    std::string title(const std::string& what) const;  ///< "time us"
+    std::string text(double time_ns) const;
+};
+/// Of the records' medians; each must have one.
+TimeUnit unit_of(const std::vector<Record>& records);
 
 /// Half of the median's 95 % interval in percent, or "~" and the median absolute deviation when there is
 /// none, or "-" with fewer than three samples.
@@ -29,6 +40,13 @@ std::string device_label(const ResultFile& result, const std::string& key);
 
 /// True when the record has a time that may be published.
 bool timed(const Record& record);
+
+/// Timed records with implicit work-groups: those that every device can be compared in.
+std::vector<Record> comparable(const ResultFile& result);
+
+/// Records of the same work on whichever device; a work is a case without its device.
+std::map<Case, std::vector<Record>> by_work(const std::vector<Record>& records);
+Case without_device(Case c);
 
 /// Those of `axes` in which the records differ.
 std::vector<std::string> varying(const std::vector<Record>& records, const std::vector<std::string>& axes);

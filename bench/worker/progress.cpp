@@ -36,13 +36,13 @@ std::string outcome_text(const Record& record) {
     return record.status == Status::ok ? time : time + "  " + status;
 }
 
+}  // namespace
+
 std::size_t columns_of(std::FILE* out) {
     winsize size{};
     const bool known = ::ioctl(::fileno(out), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
     return known ? size.ws_col : 80;
 }
-
-}  // namespace
 
 std::string eta_text(double seconds) {
     const auto whole = static_cast<long long>(std::llround(std::max(seconds, 0.0)));

@@ -18,6 +18,9 @@ struct ProgressView {
     std::optional<double> eta_s;
 };
 
+/// Of the terminal that `out` is, or 80.
+std::size_t columns_of(std::FILE* out);
+
 /// "[17/48] pocl:0  pt spp 100 16x16   sample 40 %   ETA 1:10", cut to `columns`.
 std::string live_line(const ProgressView& view, std::size_t columns);
 

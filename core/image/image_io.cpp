@@ -7,6 +7,7 @@
 #include <cstring>
 #include <functional>
 #include <iterator>
+#include <memory>
 
 #include <fmt/format.h>
 #include <png.h>
@@ -16,13 +17,9 @@
 namespace ptb {
 namespace {
 
-/// Square-root encoded (gamma 2, as the thesis wrote its pictures) to 0..255; what is no number is black.
-std::uint8_t encoded(float linear) {
-    if (!(linear > 0)) return 0;
-    return static_cast<std::uint8_t>(std::lround(255 * std::sqrt(std::min(linear, 1.0F))));
-}
+constexpr png_uint_32 most_pixels_a_side = 8192;
 
-std::vector<std::uint8_t> encoded(const Image& image) {
+std::vector<std::uint8_t> encoded_bytes(const Image& image) {
     std::vector<std::uint8_t> bytes;
     for (const float value : image.rgb) bytes.push_back(encoded(value));
     return bytes;
@@ -30,7 +27,7 @@ std::vector<std::uint8_t> encoded(const Image& image) {
 
 std::string ppm_text(const Image& image) {
     std::string text = fmt::format("P3\n{} {}\n255\n", image.size.width, image.size.height);
-    const std::vector<std::uint8_t> bytes = encoded(image);
+    const std::vector<std::uint8_t> bytes = encoded_bytes(image);
     for (std::size_t i = 0; i < bytes.size(); i += 3)
         fmt::format_to(std::back_inserter(text), "{} {} {}\n", bytes[i], bytes[i + 1], bytes[i + 2]);
     return text;
@@ -55,13 +52,18 @@ std::string png_bytes(const Image& image) {
     png.width = static_cast<png_uint_32>(image.size.width);
     png.height = static_cast<png_uint_32>(image.size.height);
     png.format = PNG_FORMAT_RGB;
-    const std::vector<std::uint8_t> rgb = encoded(image);
+    const std::vector<std::uint8_t> rgb = encoded_bytes(image);
     std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
     png_alloc_size_t written = bytes.size();
     if (!png_image_write_to_memory(&png, bytes.data(), &written, 0, rgb.data(), 0, nullptr))
         throw ImageError(png.message);
     bytes.resize(written);
     return bytes;
+}
+
+float decoded(std::uint8_t byte) {
+    const float root = static_cast<float>(byte) / 255;
+    return root * root;
 }
 
 std::string extension_of(const std::filesystem::path& file) {
@@ -78,6 +80,29 @@ const std::map<std::string, std::function<std::string(const Image&)>>& encoders(
 }
 
 }  // namespace
+
+std::uint8_t encoded(float linear) {
+    if (!(linear > 0)) return 0;
+    return static_cast<std::uint8_t>(std::lround(255 * std::sqrt(std::min(linear, 1.0F))));
+}
+
+Image read_png(const std::filesystem::path& file) {
+    png_image png = {};
+    png.version = PNG_IMAGE_VERSION;
+    const std::unique_ptr<png_image, decltype(&png_image_free)> freed(&png, png_image_free);
+    if (!png_image_begin_read_from_file(&png, file.c_str()))
+        throw ImageError(fmt::format("{}: {}", file.string(), png.message));
+    if (std::max(png.width, png.height) > most_pixels_a_side)
+        throw ImageError(fmt::format("{}: {} x {} pixels; allowed: {} a side", file.string(), png.width,
+                                     png.height, most_pixels_a_side));
+    png.format = PNG_FORMAT_RGB;
+    std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(png));
+    if (!png_image_finish_read(&png, nullptr, bytes.data(), 0, nullptr))
+        throw ImageError(fmt::format("{}: {}", file.string(), png.message));
+    Image image{{static_cast<int>(png.width), static_cast<int>(png.height)}, {}};
+    std::transform(bytes.begin(), bytes.end(), std::back_inserter(image.rgb), decoded);
+    return image;
+}
 
 void write_bytes(const std::filesystem::path& file, std::string_view bytes) {
     if (const std::error_code error = replace_file(file, bytes))

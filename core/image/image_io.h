@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -24,6 +25,14 @@ void write_bytes(const std::filesystem::path& file, std::string_view bytes);
 /// Writes by extension: .exr and .pfm keep linear floats; .png (8 bit) and .ppm (P3, as the thesis wrote) are
 /// clamped to [0, 1] and square-root encoded (gamma 2). Throws ImageError.
 void write_image(const std::filesystem::path& file, const Image& image);
+
+/// Reads a PNG as `write_image` writes one, back to linear values. Throws ImageError, also for one of more
+/// than 8192 pixels a side.
+Image read_png(const std::filesystem::path& file);
+
+/// `linear` square-root encoded (gamma 2, as the thesis wrote its pictures) to 0..255; what is no number is
+/// black.
+std::uint8_t encoded(float linear);
 
 /// Several images of one size as named layers of one OpenEXR file ("mean" gives channels mean.R, mean.G,
 /// mean.B).

@@ -63,13 +63,16 @@ std::size_t width(std::string_view utf8) {
     return count;
 }
 
+std::size_t first_bytes(std::string_view utf8, std::size_t most) {
+    std::size_t end = 0;
+    for (std::size_t kept = 0; end < utf8.size(); ++end)
+        if (!continues(utf8[end]) && kept++ == most) break;
+    return end;
+}
+
 std::string shortened(std::string_view utf8, std::size_t most) {
     if (width(utf8) <= most) return std::string(utf8);
-    std::size_t end = 0;
-    for (std::size_t kept = 0; end < utf8.size(); ++end) {
-        if (continues(utf8[end])) continue;
-        if (kept++ == most - 3) break;
-    }
+    std::size_t end = first_bytes(utf8, most - 3);
     while (end > 0 && utf8[end - 1] == ' ') --end;
     return std::string(utf8.substr(0, end)) + "...";
 }

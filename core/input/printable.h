@@ -12,6 +12,9 @@ std::string printable(std::string_view text);
 /// Characters (code points) in UTF-8 text: its width in a terminal, near enough.
 std::size_t width(std::string_view utf8);
 
+/// Bytes of the first `most` characters of UTF-8 text that has as many.
+std::size_t first_bytes(std::string_view utf8, std::size_t most);
+
 /// `text` shortened to `most` characters, ending in "..." when it was longer.
 std::string shortened(std::string_view utf8, std::size_t most);
 

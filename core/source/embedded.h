@@ -10,8 +10,7 @@ struct EmbeddedFile {
     std::string_view text;
 };
 
-/// The files of kernels/ as they were at build time, sorted by name (scripts/cmake/EmbedKernels.cmake makes
-/// them).
+/// The files of kernels/ as they were at build time, sorted by name (scripts/cmake/Embed.cmake makes them).
 std::span<const EmbeddedFile> embedded_kernel_files();
 
 }  // namespace ptb

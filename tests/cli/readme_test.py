@@ -13,7 +13,7 @@ from ptbench import BINARY, ONE, SOURCE, CliTest
 DOCUMENTS = ("README.md", "CONTRIBUTING.md")
 TREE = pathlib.Path(os.environ["PTB_BINARY_DIR"]).parent
 SMALL = ("--kernel", "pt", "--size", "16", "--spp", "2", "--path-length", "2", "--wg", "implicit")
-SHORT = ("compare ", "baseline", "list", "render", "--dry-run", "--dump-config", "--csv")  # these run for real
+SHORT = ("compare ", "report ", "baseline", "list", "render", "--dry-run", "--dump-config", "--csv")  # these run for real
 
 
 def commands():

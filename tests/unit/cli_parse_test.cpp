@@ -90,9 +90,9 @@ TEST(cli_parse, a_typo_gets_the_nearest_flag) {
     EXPECT_EQ(error_of({"--sppp", "10"}), "unknown option --sppp; did you mean --spp?");
     EXPECT_EQ(error_of({"--all-device"}), "unknown option --all-device; did you mean --all-devices?");
     EXPECT_EQ(error_of({"render", "--sead=3"}), "unknown option --sead; did you mean --seed?");
-    EXPECT_EQ(
-        error_of({"lst"}),
-        "unknown command lst; did you mean list?; commands: run, list, render, compare, ab, tune, doctor");
+    EXPECT_EQ(error_of({"lst"}),
+              "unknown command lst; did you mean list?; commands: run, list, render, compare, ab, tune, "
+              "doctor, report");
 }
 
 TEST(cli_parse, every_error_is_one_line) {

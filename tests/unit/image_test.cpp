@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -169,6 +170,20 @@ TEST_F(ImageFile, writing_again_replaces_the_file) {
     write_image(path("a.exr"), sample_image());
     EXPECT_EQ(read_exr_layers(path("a.exr")).at(""), sample_image());
     EXPECT_EQ(file_count(), 1U);
+}
+
+TEST_F(ImageFile, a_png_comes_back_as_near_as_8_bits_allow) {
+    write_image(path("a.png"), sample_image());
+    const Image read = read_png(path("a.png"));
+    ASSERT_EQ(read.size, sample_image().size);
+    for (std::size_t i = 0; i < 18; ++i)
+        EXPECT_NEAR(read.rgb[i], std::clamp(sample_image().rgb[i], 0.0F, 1.0F), 1.0 / 255) << i;
+}
+
+TEST_F(ImageFile, what_is_no_png_is_refused_with_its_name) {
+    std::ofstream(path("bad.png")) << "not a picture";
+    EXPECT_THAT(error_of([&] { read_png(path("bad.png")); }), HasSubstr("bad.png: "));
+    EXPECT_THAT(error_of([&] { read_png(path("none.png")); }), HasSubstr("none.png: "));
 }
 
 }  // namespace

@@ -146,17 +146,30 @@ TEST(Table, cases_without_a_time_share_a_line_when_they_share_a_reason) {
     EXPECT_THAT(column(section, "reason")[1], "work_group 512, this kernel allows 256 here");
 }
 
-TEST(Table, devices_side_by_side_are_compared_with_the_slowest) {
+TEST(Table, devices_side_by_side_are_grouped_by_type_and_the_fastest_is_marked) {
     const auto section = devices_section(two_devices());
-    EXPECT_THAT(column(section, "kernel"), ElementsAre("thesis", "pt"));
-    EXPECT_THAT(column(section, "CPU pthread-FX-6300"), ElementsAre("400.0 (1.00x)", "100.0 (1.00x)"));
-    EXPECT_THAT(column(section, "GPU NVIDIA H200"), ElementsAre("8.000 (50.00x)", "4.000 (25.00x)"));
+    EXPECT_THAT(column(section, "kernel"), ElementsAre("thesis", "thesis", "pt", "pt"));
+    EXPECT_THAT(column(section, "type"), ElementsAre("CPU", "GPU", "CPU", "GPU"));
+    EXPECT_THAT(column(section, "time ms"), ElementsAre("400.0", "8.000", "100.0", "4.000"));
+    EXPECT_THAT(column(section, "x slowest"), ElementsAre("1.00", "50.00", "1.00", "25.00"));
+    EXPECT_THAT(column(section, "speed"), ElementsAre("0.020", "1.000", "0.040", "1.000"));
+    EXPECT_THAT(column(section, ""), ElementsAre("", "fastest", "", "fastest"));
+    EXPECT_THAT(section.grid.best, ElementsAre(1, 3));
 }
 
-TEST(Table, a_device_without_a_time_leaves_a_gap) {
+TEST(Table, a_column_of_times_has_the_unit_that_its_shortest_needs) {
+    ResultFile f = two_devices();
+    f.cases[3].statistics->median_ns = 4e5;
+    EXPECT_THAT(column(devices_section(f), "time us"), ElementsAre("400000", "8000", "100000", "400.0"));
+    for (Record& record : f.cases) record.statistics->median_ns = 2.5e9;
+    EXPECT_THAT(column(devices_section(f), "time s"), ElementsAre("2.500", "2.500", "2.500", "2.500"));
+}
+
+TEST(Table, a_device_without_a_time_is_left_out_and_nobody_is_the_fastest_alone) {
     ResultFile f = two_devices();
     f.cases.pop_back();
-    EXPECT_THAT(column(devices_section(f), "GPU NVIDIA H200"), ElementsAre("8.000 (50.00x)", "-"));
+    EXPECT_THAT(column(devices_section(f), "type"), ElementsAre("CPU", "GPU", "CPU"));
+    EXPECT_THAT(column(devices_section(f), ""), ElementsAre("", "fastest", ""));
 }
 
 TEST(Table, one_device_has_nobody_beside_it) {
@@ -176,11 +189,11 @@ TEST(Table, pt_is_compared_with_thesis_on_each_device) {
     EXPECT_THAT(column(kernels_section(two_devices()), "thesis / pt"), ElementsAre("4.00x", "2.00x"));
 }
 
-TEST(Table, long_names_are_shortened_in_the_terminal_only) {
+TEST(Table, long_names_are_shortened_in_the_columns_of_the_terminal_only) {
     ResultFile f = two_devices();
     const std::string name = "AMD EPYC 9654 96-Core Processor with a very long name";
     f.devices[0].name = name;
-    EXPECT_THAT(table(f, thesis()), Not(HasSubstr(name)));
+    EXPECT_THAT(to_text(times_section(f)), Not(HasSubstr(name)));
     EXPECT_THAT(markdown(f, thesis()), HasSubstr("a very long name"));
 }
 
@@ -205,6 +218,40 @@ TEST(Table, what_spoils_a_run_is_remarked) {
     EXPECT_THAT(remarks_section(f).notes, ElementsAre(HasSubstr("interrupted"), "warning: load is 7.5",
                                                       "bad.icd is not usable: killed by SIGSEGV (11)",
                                                       "pocl:0 is not used: the same device as gpu:0"));
+}
+
+TEST(Table, in_short_says_who_is_how_much_faster_and_how_sure_that_is) {
+    ResultFile f = two_devices();
+    EXPECT_THAT(
+        summary_section(f).notes,
+        ElementsAre("NVIDIA H200 (GPU) is the fastest of 2 devices: pt with 10 samples per pixel at "
+                    "128x128 takes 4.000 ms.",
+                    "That is 25 times as fast as pthread-FX-6300 (CPU): too few samples to say how sure "
+                    "that is.",
+                    "There pt is 2 times as fast as thesis: too few samples to say how sure that is.",
+                    "No image was judged.", "All 4 cases ended well."));
+    for (Record& record : f.cases) {
+        record.statistics->ci_low_ns = 0.9 * record.statistics->median_ns;
+        record.statistics->ci_high_ns = 1.2 * record.statistics->median_ns;
+    }
+    EXPECT_THAT(summary_section(f).notes[1], HasSubstr("18.8 to 33.3 by both medians' 95 % intervals"));
+    f.cases[1].statistics->median_ns = 4.4e6;
+    f.cases[1].statistics->ci_low_ns = 4e6;
+    EXPECT_THAT(summary_section(f).notes[1], HasSubstr("95 % intervals do not tell apart"));
+}
+
+TEST(Table, in_short_says_what_failed_and_why) {
+    ResultFile f = two_devices();
+    f.cases[0].validation = Validation{};
+    f.cases[0].validation->reason = "block 3 is off";
+    f.cases[1].validation = Validation{};
+    f.cases[1].validation->valid = true;
+    f.cases.push_back(failed_record(8, Status::crash, "killed by SIGSEGV (11)"));
+    EXPECT_THAT(summary_section(f).notes,
+                testing::IsSupersetOf({"1 of 2 images are wrong: block 3 is off.",
+                                       "1 of 5 cases have no time: 1 crash (killed by SIGSEGV (11))."}));
+    f.cases.clear();
+    EXPECT_THAT(summary_section(f).notes, IsEmpty());
 }
 
 TEST(Table, an_empty_result_shows_the_published_rows_alone) {

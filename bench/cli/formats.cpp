@@ -1,0 +1,95 @@
+#include "bench/cli/formats.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "bench/cli/outputs.h"
+#include "bench/plan/data_dir.h"
+#include "bench/record/file.h"
+#include "bench/record/result_file.h"
+#include "bench/report/csv.h"
+#include "bench/report/formats/formats.h"
+#include "bench/report/html/page.h"
+#include "bench/report/markdown.h"
+
+namespace ptb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string page_of(const std::vector<StoredRun>& runs, const PublishedTable& published) {
+    std::vector<PageRun> shown;
+    for (const StoredRun& run : runs)
+        shown.push_back({run.result, figures(run.result, run.folder, data_dir() / "results" / "references")});
+    return page(shown, published);
+}
+
+void print_to_stdout(const std::string& text) {
+    const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (!whole || std::fflush(stdout) != 0) {
+        throw std::runtime_error(fmt::format("cannot write to stdout: {}", std::strerror(errno)));
+    }
+}
+
+}  // namespace
+
+Destinations asked_for(const Destinations& all) {
+    Destinations asked;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(asked),
+                 [](const auto& each) { return !each.second.empty(); });
+    return asked;
+}
+
+void check_asked(const Destinations& asked) {
+    int taking_stdout = 0;
+    for (const auto& [format, destination] : asked) {
+        if (destination != to_stdout) check_writable("--" + format, destination);
+        taking_stdout += destination == to_stdout ? 1 : 0;
+    }
+    if (taking_stdout > 1)
+        throw UsageError(
+            "only one of --json, --csv, --csv-samples, --md, --html and --format can write to stdout (-)");
+}
+
+/// Devices like /dev/null take both.
+void refuse_shared_files(const Destinations& files) {
+    std::map<fs::path, std::string> format_of;
+    for (const auto& [format, file] : files) {
+        std::error_code ignored;
+        if (file == to_stdout || (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))) continue;
+        const auto [entry, is_new] =
+            format_of.try_emplace(fs::weakly_canonical(fs::absolute(file), ignored), format);
+        if (entry->second != format)
+            throw UsageError(
+                fmt::format("{} is to hold both {} and {}; name two files", file, entry->second, format));
+    }
+}
+
+bool takes_stdout(const Destinations& asked) {
+    return std::any_of(asked.begin(), asked.end(), [](const auto& each) { return each.second == to_stdout; });
+}
+
+std::string text_in(const std::string& format, const std::vector<StoredRun>& runs,
+                    const PublishedTable& published) {
+    if (format == "html") return page_of(runs, published);
+    if (runs.size() != 1)
+        throw UsageError(fmt::format("{}: found {} runs; allowed: one, or --html", format, runs.size()));
+    const ResultFile& result = runs.front().result;
+    if (format == "json") return result_text(result);
+    if (format == "csv-samples") return csv_samples(result);
+    if (format == "csv") return csv(result);
+    return format == "md" ? markdown(result, published) : format_named(format).write(result);
+}
+
+void write_to(const std::string& destination, const std::string& text) {
+    if (destination == to_stdout) return print_to_stdout(text);
+    write_file(destination, text);
+}
+
+}  // namespace ptb

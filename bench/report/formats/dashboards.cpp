@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include "bench/record/json.h"
+#include "bench/report/formats/formats.h"
+#include "bench/report/formats/passed.h"
+#include "bench/report/words.h"
+
+namespace ptb {
+namespace {
+
+std::string extra(const Passed& p) {
+    return fmt::format("{} samples\ntimer: {}", p.times_ns.size(), p.record.statistics->timer);
+}
+
+/// "± 1.2 %", or nothing where there is no interval.
+void add_range(Json& json, const Statistics& s) {
+    if (s.ci_low_ns && s.ci_high_ns) json["range"] = fmt::format("\u00B1 {} %", spread_text(s));
+}
+
+/// A value with its interval.
+Json metric(double value, double low, double high) {
+    return {{"value", value}, {"lower_value", low}, {"upper_value", high}};
+}
+
+}  // namespace
+
+std::string github_action_smaller(const ResultFile& result) {
+    Json list = Json::array();
+    for (const Passed& p : passed(result)) {
+        const Statistics& s = *p.record.statistics;
+        Json json = {{"name", p.name}, {"unit", "ms"}, {"value", ms(s.median_ns)}, {"extra", extra(p)}};
+        add_range(json, s);
+        list.push_back(json);
+    }
+    return dump_json(list, 2) + "\n";
+}
+
+std::string github_action_bigger(const ResultFile& result) {
+    Json list = Json::array();
+    for (const Passed& p : passed(result)) {
+        const Statistics& s = *p.record.statistics;
+        Json json = {
+            {"name", p.name}, {"unit", "Msamples/s"}, {"value", s.msamples_per_s}, {"extra", extra(p)}};
+        add_range(json, s);
+        list.push_back(json);
+    }
+    return dump_json(list, 2) + "\n";
+}
+
+std::string bencher(const ResultFile& result) {
+    Json json = Json::object();
+    for (const Passed& p : passed(result)) {
+        const Statistics& s = *p.record.statistics;
+        const double low = s.ci_low_ns.value_or(s.median_ns), high = s.ci_high_ns.value_or(s.median_ns);
+        const double samples_ns =
+            s.msamples_per_s * 1e6 * s.median_ns;  // what a render of 1 ns would do a second
+        json[p.name] = {{"latency", metric(s.median_ns, low, high)},
+                        {"throughput", metric(s.msamples_per_s * 1e6, samples_ns / high, samples_ns / low)}};
+    }
+    return dump_json(json, 2) + "\n";
+}
+
+}  // namespace ptb

@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "bench/compare/row.h"
+#include "bench/plan/config.h"
+#include "bench/record/status.h"
+#include "bench/report/html/html.h"
+#include "bench/report/html/parts.h"
+#include "bench/report/words.h"
+
+namespace ptb {
+namespace {
+
+constexpr int shades = 8;
+
+std::string outcome_text(const Record& record) {
+    if (!timed(record) || record.status != Status::ok)
+        return to_string(record.status) + (record.reason.empty() ? "" : ": " + record.reason);
+    return fmt::format("{} ms +- {} %", number_text(ms(record.statistics->median_ns)),
+                       spread_text(*record.statistics));
+}
+
+/// Times by work-group of cases that are otherwise the same; of each work that with the most samples.
+using Map = std::map<WorkGroup, double>;
+
+std::map<Case, Map> maps_of(const ResultFile& result) {
+    std::map<Case, Map> maps;
+    for (const Record& record : result.cases) {
+        if (!timed(record) || !record.params.work_group.two_dimensional()) continue;
+        Case c = record.params;
+        c.work_group = {};
+        maps[c][record.params.work_group] = record.statistics->median_ns;
+    }
+    const auto fewer_samples = [&](const Case& c) {
+        return std::any_of(maps.begin(), maps.end(), [&](const auto& other) {
+            Case same = other.first;
+            same.spp = c.spp;
+            return same == c && other.first.spp > c.spp;
+        });
+    };
+    std::map<Case, Map> shown;
+    for (const auto& [c, map] : maps)
+        if (map.size() > 2 && !fewer_samples(c)) shown[c] = map;
+    return shown;
+}
+
+/// 0 for the fastest, up to the last shade for a time twice as long.
+int shade(double ns, double fastest) {
+    return std::clamp(static_cast<int>((ns / fastest - 1) * shades), 0, shades - 1);
+}
+
+std::string map_cell(const Map& map, WorkGroup group, double fastest) {
+    const auto found = map.find(group);
+    if (found == map.end()) return "<td>-</td>";
+    const double ns = found->second;
+    return fmt::format("<td class=\"n shade-{}\">{}{}</td>", shade(ns, fastest), number_text(ms(ns)),
+                       ns == fastest ? " (fastest)" : "");
+}
+
+std::string map_table(const ResultFile& result, const Case& c, const Map& map) {
+    std::set<int> widths, heights;
+    double fastest = map.begin()->second;
+    for (const auto& [group, ns] : map) {
+        widths.insert(group.x);
+        heights.insert(group.y);
+        fastest = std::min(fastest, ns);
+    }
+    std::string head, body;
+    for (const int x : widths) head += fmt::format("<th scope=\"col\" class=\"n\">{}</th>", x);
+    for (const int y : heights) {
+        body += fmt::format("<tr><th scope=\"row\" class=\"n\">{}</th>", y);
+        for (const int x : widths) body += map_cell(map, {x, y}, fastest);
+        body += "</tr>\n";
+    }
+    const std::string caption = fmt::format("work-groups of {}, {}: ms, widths across, heights down",
+                                            device_label(result, c.device), case_text(c));
+    return fmt::format(
+        "<div class=\"scroll\" tabindex=\"0\"><table><caption>{}</caption><thead><tr><td></td>{}</tr>"
+        "</thead><tbody>\n{}</tbody></table></div>\n",
+        html_text(caption), head, body);
+}
+
+}  // namespace
+
+std::string work_group_maps(const ResultFile& result) {
+    std::string html;
+    for (const auto& [c, map] : maps_of(result)) html += map_table(result, c, map);
+    return html;
+}
+
+std::string case_list(const PageRun& run, std::size_t index) {
+    std::string html;
+    for (std::size_t i = 0; i < run.result.cases.size(); ++i) {
+        const Record& record = run.result.cases[i];
+        html += fmt::format("<details id=\"r{}c{}\"><summary>{} {}: {}</summary></details>\n", index, i,
+                            html_text(record.params.device), html_text(case_text(record.params)),
+                            html_text(outcome_text(record)));
+    }
+    return fmt::format("<details class=\"all-cases\"><summary>{} cases</summary>\n{}</details>\n",
+                       run.result.cases.size(), html);
+}
+
+}  // namespace ptb

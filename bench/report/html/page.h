@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/compare/row.h"
+#include "bench/report/html/pictures.h"
+#include "bench/report/published.h"
+
+namespace ptb {
+
+/// A run and its pictures, as a page shows them.
+struct PageRun {
+    ResultFile result;
+    std::vector<Figure> figures;
+};
+
+/// One self-contained HTML file of one or several runs: it needs no other file and asks nothing of a network.
+/// Without JavaScript tables and pictures are there; with it charts, sorting, filtering, wiping and each
+/// case's record.
+std::string page(const std::vector<PageRun>& runs, const PublishedTable& published);
+
+/// What a page of a comparison is made from.
+struct ComparedPage {
+    std::vector<Row> rows;
+    std::string title;                   ///< "base: ...; new: ..."
+    std::vector<std::string> differing;  ///< facts in which the sides differ
+    std::string json;                    ///< of the comparison, to download
+};
+std::string compared_page(const ComparedPage& compared);
+
+}  // namespace ptb

@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "bench/plan/config.h"
+#include "bench/record/status.h"
+#include "bench/report/sections.h"
+#include "bench/report/words.h"
+#include "core/input/printable.h"
+
+namespace ptb {
+namespace {
+
+constexpr std::size_t most_reasons = 3, most_shown = 80;
+
+std::string name_of(const ResultFile& result, const Record& record) {
+    const DeviceInfo device = device_of(result, record.params.device);
+    return fmt::format("{} ({})", device_label(result, device.key), device.type);
+}
+
+std::string work_text(const Case& c) {
+    return fmt::format("{} with {} samples per pixel at {}", c.kernel, c.spp, to_string(c.size));
+}
+
+/// Records of one work, fastest first: that which most devices did; of pt, of many samples, rather than not.
+std::vector<Record> headline(const std::vector<Record>& records) {
+    const auto rank = [](const std::vector<Record>& r) {
+        const Case& c = r.front().params;
+        return std::tuple(r.size(), c.kernel == "pt", c.spp, c.size.pixels());
+    };
+    std::vector<Record> best;
+    for (const auto& [work, same] : by_work(records))
+        if (best.empty() || rank(same) > rank(best)) best = same;
+    std::sort(best.begin(), best.end(), [](const Record& a, const Record& b) {
+        return a.statistics->median_ns < b.statistics->median_ns;
+    });
+    return best;
+}
+
+std::string times_as_fast(const Record& fast, const Record& slow) {
+    const Statistics &f = *fast.statistics, &s = *slow.statistics;
+    const std::string ratio = fmt::format("{:.3g} times as fast as", s.median_ns / f.median_ns);
+    return ratio;
+}
+
+/// What both medians' intervals leave open of their ratio.
+std::string sureness(const Record& fast, const Record& slow) {
+    const Statistics &f = *fast.statistics, &s = *slow.statistics;
+    if (!f.ci_low_ns || !f.ci_high_ns || !s.ci_low_ns || !s.ci_high_ns)
+        return "too few samples to say how sure that is";
+    const double low = *s.ci_low_ns / *f.ci_high_ns, high = *s.ci_high_ns / *f.ci_low_ns;
+    if (low <= 1) return "which their medians' 95 % intervals do not tell apart";
+    return fmt::format("{:.3g} to {:.3g} by both medians' 95 % intervals", low, high);
+}
+
+std::vector<std::string> speeds(const ResultFile& result) {
+    const auto records = comparable(result);
+    const auto devices = headline(records);
+    if (devices.empty()) return {"No case with implicit work-groups has a time."};
+    const Record& fast = devices.front();
+    const std::string time =
+        fmt::format("{} takes {} ms", work_text(fast.params), number_text(ms(fast.statistics->median_ns)));
+    if (devices.size() == 1)
+        return {fmt::format("{}: {} (+- {} %).", name_of(result, fast), time, spread_text(*fast.statistics))};
+    std::vector<std::string> sentences{
+        fmt::format("{} is the fastest of {} devices: {}.", name_of(result, fast), devices.size(), time)};
+    for (std::size_t i = 1; i < devices.size(); ++i)
+        sentences.push_back(fmt::format("That is {} {}: {}.", times_as_fast(fast, devices[i]),
+                                        name_of(result, devices[i]), sureness(fast, devices[i])));
+    return sentences;
+}
+
+std::string kernels(const ResultFile& result) {
+    const auto records = comparable(result);
+    const auto devices = headline(records);
+    for (const Record& record : records) {
+        Case c = record.params;
+        if (devices.empty() || c.kernel != "thesis" || devices.front().params.kernel != "pt") continue;
+        c.kernel = "pt";
+        if (c == devices.front().params)
+            return fmt::format("There pt is {} thesis: {}.", times_as_fast(devices.front(), record),
+                               sureness(devices.front(), record));
+    }
+    return "";
+}
+
+std::string images(const ResultFile& result) {
+    std::size_t judged = 0, wrong = 0;
+    std::string first;
+    for (const Record& record : result.cases) {
+        if (!record.validation) continue;
+        ++judged;
+        if (record.validation->valid) continue;
+        if (wrong++ == 0) first = record.validation->reason;
+    }
+    if (judged == 0) return "No image was judged.";
+    if (wrong == 0) return fmt::format("All {} images that were judged are right.", judged);
+    return fmt::format("{} of {} images are wrong: {}.", wrong, judged, first);
+}
+
+std::string failures(const ResultFile& result) {
+    const Grid groups = problems_section(result).grid;
+    std::vector<std::string> parts;
+    std::size_t cases = 0;
+    for (const auto& row : groups.rows) {
+        cases += std::stoul(row[1]);
+        if (parts.size() < most_reasons)
+            parts.push_back(fmt::format("{} {} ({})", row[1], row[0], shortened(row[2], most_shown)));
+    }
+    if (parts.empty()) return fmt::format("All {} cases ended well.", result.cases.size());
+    if (groups.rows.size() > parts.size()) parts.emplace_back("others");
+    return fmt::format("{} of {} cases have no time: {}.", cases, result.cases.size(),
+                       fmt::join(parts, "; "));
+}
+
+}  // namespace
+
+Section summary_section(const ResultFile& result) {
+    Section section;
+    section.title = "in short";
+    if (result.cases.empty()) return section;
+    section.notes = speeds(result);
+    for (const std::string& sentence : {kernels(result), images(result), failures(result)})
+        if (!sentence.empty()) section.notes.push_back(sentence);
+    if (result.run.interrupted)
+        section.notes.emplace_back("The run was interrupted: these are its cases until then.");
+    return section;
+}
+
+}  // namespace ptb

@@ -1,0 +1,200 @@
+"""The pages of `ptbench report` and `ptbench compare`, in a real browser without a network."""
+
+import copy
+import json
+import os
+import pathlib
+import unittest
+
+from browser import Browser
+from ptbench import TINY, Scratch, changed
+
+SHOTS = pathlib.Path(os.environ["PTB_BINARY_DIR"]) / "page"
+READY = "document.documentElement.classList.contains('ready')"
+HOSTILE = "</script><img src=x onerror=window.owned=1>\"'&{{7*7}}\x1b[31m\u202e,=1+1|`"
+SCRATCH, BROWSER = None, None
+
+
+def setUpModule():
+    """One real run of two devices; one browser for all tests."""
+    global SCRATCH, BROWSER
+    SCRATCH = Scratch()
+    unittest.addModuleCleanup(SCRATCH.remove)
+    words = changed(TINY, spp="2,5,9", size="64", samples=9)
+    ran = SCRATCH.run(*words, "--out", "out", "--html", "page.html", "-q", timeout=120)
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    SHOTS.mkdir(exist_ok=True)
+    BROWSER = Browser()
+    unittest.addModuleCleanup(BROWSER.close)
+
+
+def variant(name, change):
+    """The run with another content."""
+    result = copy.deepcopy(SCRATCH.result())
+    change(result)
+    return SCRATCH.write(f"out/{name}.json", result)
+
+
+def page_of(*words, code=0):
+    ran = SCRATCH.run(*words, "--html", "made.html")
+    assert ran.returncode == code, ran.stdout + ran.stderr
+    return SCRATCH.work / "made.html"
+
+
+def show(file, width=1280, scheme="light"):
+    BROWSER.look(width, scheme)
+    return BROWSER.open(file, READY)
+
+
+def texts(selector):
+    return BROWSER.evaluate(f"[...document.querySelectorAll({json.dumps(selector)})].map((e) => e.textContent)")
+
+
+def column(title):
+    """Cells of the visible rows of the times under a heading."""
+    return BROWSER.evaluate(f"""(() => {{
+        const table = document.querySelector('#times table');
+        const at = [...table.tHead.rows[0].cells].findIndex((c) => c.textContent === {json.dumps(title)});
+        return [...table.tBodies[0].rows].filter((r) => !r.hidden).map((r) => r.cells[at].textContent);
+    }})()""")
+
+
+def four_digits(number):
+    """As the table writes times, by another hand."""
+    return f"{number:.{max(0, min(3, 3 - len(str(int(number))) + (number < 1)))}f}" if number >= 1 else f"{number:.3f}"
+
+
+class Page(unittest.TestCase):
+    def assert_clean(self):
+        self.assertEqual(BROWSER.complaints(), [])
+        outside = [url for url in BROWSER.requests() if not url.startswith(("file://", "data:", "blob:"))]
+        self.assertEqual(outside, [])
+        self.assertEqual(len([url for url in BROWSER.requests() if url.startswith("file://")]), 1)
+
+    def test_the_live_page_and_that_of_the_stored_run_are_the_same(self):
+        self.assertEqual(page_of("report", "out/result.json").read_bytes(), (SCRATCH.work / "page.html").read_bytes())
+
+    def test_terminal_and_formats_are_those_of_the_run(self):
+        for flag, name in (("--md", "table.md"), ("--csv", "result.csv"), ("--json", "result.json")):
+            shown = SCRATCH.run("report", "out/result.json", flag, "-").stdout
+            self.assertEqual(shown, (SCRATCH.work / "out" / name).read_text())
+        table = SCRATCH.run("report", "out/journal.jsonl").stdout
+        self.assertIn("times, scene thesis", table)
+
+    def test_a_page_of_a_run_is_clean_in_both_schemes_and_on_a_phone(self):
+        for width, scheme in ((1280, "light"), (1280, "dark"), (380, "light"), (380, "dark")):
+            with self.subTest(width=width, scheme=scheme):
+                show(SCRATCH.work / "page.html", width, scheme)
+                self.assert_clean()
+                self.assertLessEqual(BROWSER.evaluate("document.documentElement.scrollWidth"), width)
+                ground = BROWSER.evaluate("getComputedStyle(document.body).backgroundColor")
+                self.assertEqual(ground == "rgb(255, 255, 255)", scheme == "light")
+                self.assertGreaterEqual(len(texts("#charts canvas")), 3)
+                BROWSER.screenshot(SHOTS / f"{width}-{scheme}.png")
+
+    def test_numbers_are_those_of_the_result_file(self):
+        show(SCRATCH.work / "page.html")
+        expected = [four_digits(case["statistics"]["median_ns"] / 1e6) for case in SCRATCH.result()["cases"]]
+        self.assertEqual(column("time ms")[:len(expected)], expected)
+        self.assertEqual(column("time ms")[-9:], ["2589", "27655", "269815", "3492", "33215", "312652", "10322",
+                                                  "130246", "1405217"])
+        self.assertEqual(set(column("run")[-9:]), {"2016"})
+
+    def test_sorting_and_filtering(self):
+        show(SCRATCH.work / "page.html")
+        press = "document.querySelectorAll('#times th button')[4].click()"
+        for order in (1, -1):
+            BROWSER.evaluate(press)
+            times = [float(cell) for cell in column("time ms")]
+            self.assertEqual(times, sorted(times, reverse=order < 0))
+        self.assertEqual(BROWSER.evaluate("document.querySelectorAll('#times th')[4].ariaSort"), "descending")
+        BROWSER.evaluate("""(() => { const box = document.querySelector('#times input');
+                            box.value = 'Radeon 1000'; box.dispatchEvent(new Event('input')); })()""")
+        self.assertEqual(column("time ms"), ["269815"])
+        self.assertEqual(texts("#times output"), ["1 of 15 rows"])
+
+    def test_a_row_leads_to_its_case_which_unfolds(self):
+        show(SCRATCH.work / "page.html")
+        BROWSER.evaluate("document.querySelectorAll('#times td a')[1].click()")
+        BROWSER.evaluate("new Promise((resolve) => setTimeout(resolve, 100))")
+        case = SCRATCH.result()["cases"][1]
+        shown = "\n".join(texts("details[open]#r0c1"))
+        for part in (str(case["statistics"]["median_ns"]).removesuffix(".0"), case["build"]["kernel_hash"],
+                     case["validation"]["against"]):
+            self.assertIn(part, shown)
+
+    def test_the_slider_wipes(self):
+        show(SCRATCH.work / "page.html")
+        self.assertEqual(len(texts("#pictures img")), 3 * 2 - 1 + 2)
+        self.assertTrue(BROWSER.evaluate("[...document.images].every((i) => i.complete && i.naturalWidth >= 64)"))
+        BROWSER.evaluate("""(() => { const slider = document.querySelector('#wipe input');
+                            slider.value = 20; slider.dispatchEvent(new Event('input')); })()""")
+        clip = BROWSER.evaluate("getComputedStyle(document.querySelector('.wipe img + img')).clipPath")
+        self.assertEqual(clip, "inset(0px 0px 0px 20%)")
+
+    def test_the_download_is_the_result_file(self):
+        show(SCRATCH.work / "page.html")
+        text = BROWSER.evaluate("unpack(document.querySelector('script.data')).then(fileText)")
+        self.assertEqual(text, (SCRATCH.work / "out/result.json").read_text())
+
+    def test_without_scripts_tables_and_pictures_are_there(self):
+        BROWSER.call("Emulation.setScriptExecutionDisabled", value=True)
+        try:
+            BROWSER.open(SCRATCH.work / "page.html")
+            self.assertEqual(len(texts("#times tbody tr")), 15)
+            self.assertEqual(len(texts(".pictures img")), 5)
+            self.assertIn("fastest of 2 devices", "".join(texts("#verdict")))
+        finally:
+            BROWSER.call("Emulation.setScriptExecutionDisabled", value=False)
+
+    def test_several_runs_share_a_page_with_their_history(self):
+        def later(result):
+            result["run"]["started_at"] = "2031-01-01T00:00:00Z"
+            for case in result["cases"]:
+                case["statistics"]["median_ns"] *= 2
+        show(page_of("report", "out/result.json", variant("later", later)))
+        self.assert_clean()
+        self.assertEqual(len(column("run")), 2 * 6 + 9)
+        self.assertEqual(len([run for run in column("run") if run.startswith("2031-01-01 00:00")]), 6)
+        self.assertIn("Time of the same case over the dates", "".join(texts("#charts figcaption")))
+
+    def test_hostile_text_is_text(self):
+        def poison(result):
+            for device in result["devices"]:
+                device.update(name=HOSTILE, vendor=HOSTILE, excluded="")
+            result["host"].update(hostname=HOSTILE, cpu=HOSTILE)
+            result["run"].update(argv=[HOSTILE], config=HOSTILE, started_at=HOSTILE)
+            result["warnings"] = [HOSTILE]
+            result["cases"][0]["build"]["log"] = HOSTILE
+            result["cases"][1].update(status="crash", reason=HOSTILE, statistics=None)
+            result["cases"][2]["samples"][0]["cause"] = HOSTILE
+            result["pictures"].append({"params": result["cases"][0]["params"], "file": "../" + HOSTILE})
+        show(page_of("report", variant("hostile", poison)))
+        BROWSER.evaluate("document.querySelectorAll('details').forEach((d) => { d.open = true; })")
+        BROWSER.evaluate("new Promise((resolve) => setTimeout(resolve, 300))")
+        self.assert_clean()
+        self.assertIsNone(BROWSER.evaluate("window.owned"))
+        self.assertEqual(BROWSER.evaluate("[...document.images].filter((i) => !i.src.startsWith('data:')).length"), 0)
+        self.assertIn("<img src=x onerror=window.owned=1>", "".join(texts("#verdict")))
+        self.assertIn("not a name beside the result", "".join(texts("figcaption")))
+
+    def test_a_missing_picture_is_said(self):
+        show(page_of("report", SCRATCH.write("alone.json", SCRATCH.result())))
+        self.assertEqual(len([c for c in texts("figcaption") if "no picture: " in c]), 2)
+        self.assert_clean()
+
+    def test_a_comparison_has_a_forest_plot(self):
+        def slower(result):
+            for case in result["cases"]:
+                for sample in case["samples"]:
+                    sample.update(kernel_ns=3 * sample["kernel_ns"], host_ns=3 * sample["host_ns"])
+        words = ("compare", "out/result.json", variant("slower", slower), "--gate-single-session")
+        show(page_of(*words, code=3))
+        self.assert_clean()
+        self.assertIn("regressed: pt thesis 64x64 spp", texts("#verdict p")[0])
+        self.assertEqual(len(texts("#changes svg.forest circle")), 6)
+        BROWSER.screenshot(SHOTS / "compare.png")
+
+
+if __name__ == "__main__":
+    unittest.main()

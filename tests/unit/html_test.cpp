@@ -1,0 +1,90 @@
+#include "bench/report/html/html.h"
+
+#include <gmock/gmock.h>
+
+#include "bench/report/html/page.h"
+#include "bench/report/html/parts.h"
+
+namespace ptb {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Html, text_cannot_end_its_element_or_attribute) {
+    EXPECT_EQ(html_text("</script><img onerror='x' title=\"y\">&amp;"),
+              "&lt;/script&gt;&lt;img onerror=&#39;x&#39; title=&quot;y&quot;&gt;&amp;amp;");
+}
+
+TEST(Html, text_has_no_control_characters_and_does_not_turn_around) {
+    EXPECT_EQ(html_text("\x1b[31m\xE2\x80\xAE\xff"), "?[31m??");
+}
+
+TEST(Html, what_is_filled_in_is_not_filled_again) {
+    EXPECT_EQ(filled("a @X@ @Y@ @Z@ b@", {{"X", "@Y@"}, {"Y", "2"}}), "a @Y@ 2 @Z@ b@");
+}
+
+TEST(Html, base64_is_that_of_rfc_4648) {
+    EXPECT_EQ(base64(""), "");
+    EXPECT_EQ(base64("f"), "Zg==");
+    EXPECT_EQ(base64("fo"), "Zm8=");
+    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(base64(std::string("\xff\xfe\0", 3)), "//4A");
+}
+
+TEST(Html, tables_are_tables_with_captions_headings_and_links) {
+    Grid grid{{{"device"}, {"ms", true}}, {{"<H200>", "10"}, {"FX", "2"}}};
+    grid.best = {1};
+    const auto html = html_table(grid, "times & more", {"sortable", {"r0c0", ""}, "", {}, 0});
+    EXPECT_THAT(html, AllOf(HasSubstr("<caption>times &amp; more</caption>"),
+                            HasSubstr("<th scope=\"col\" class=\"n\">ms</th>"),
+                            HasSubstr("<td><a href=\"#r0c0\">&lt;H200&gt;</a></td><td class=\"n\">10</td>"),
+                            HasSubstr("<tr class=\"best\"><td>FX</td>")));
+}
+
+TEST(Html, facts_show_every_value_of_json) {
+    EXPECT_EQ(html_facts(parse_json(R"({"a": [1, "<x>"], "b": {}})", "test")),
+              "<dl><dt>a</dt><dd><dl><dt>0</dt><dd>1</dd><dt>1</dt><dd>&lt;x&gt;</dd></dl>\n</dd><dt>b</"
+              "dt><dd>-</dd>"
+              "</dl>\n");
+}
+
+Record timed_in_groups(int x, int y, double ms) {
+    Record r;
+    r.params = {"gpu:0", "thesis", "thesis", {64, 64}, 4, 128, {x, y}, 0};
+    r.status = Status::ok;
+    r.statistics = Statistics{};
+    r.statistics->median_ns = ms * 1e6;
+    return r;
+}
+
+TEST(Html, two_dimensional_work_groups_are_a_map_with_the_fastest_marked) {
+    ResultFile f;
+    f.cases = {timed_in_groups(4, 4, 8), timed_in_groups(8, 4, 4), timed_in_groups(4, 8, 5)};
+    EXPECT_THAT(work_group_maps(f), AllOf(HasSubstr("<td class=\"n shade-0\">4.000 (fastest)</td>"),
+                                          HasSubstr("<td class=\"n shade-2\">5.000</td><td>-</td>"),
+                                          HasSubstr("<td class=\"n shade-7\">8.000</td>")));
+    f.cases.pop_back();
+    EXPECT_EQ(work_group_maps(f), "") << "two sizes are no map";
+}
+
+TEST(Html, a_comparison_draws_ratio_interval_and_what_is_too_small_to_see) {
+    Row row{"gpu:0", "pt <case>", 0.05, {}, "", ""};
+    row.finding = {State::regressed, {}, 1e6, 1.1e6, 0.04, 20};
+    row.finding.evidence.shift = {0.1, Interval{0.05, 0.15}};
+    const auto html = compared_page({{row}, "old; new", {"driver: base 1, new <2>"}, "{}"});
+    EXPECT_THAT(
+        html, AllOf(HasSubstr("regressed: pt &lt;case&gt; on gpu:0 takes 1.105 times as long as before, "
+                              "95 % interval 1.051 to 1.162."),
+                    HasSubstr("<circle class=\"ratio\" cx=\"163.3\""), HasSubstr("x1=\"131.7\" x2=\"195.0\""),
+                    HasSubstr("new &lt;2&gt;</li>")));
+    EXPECT_THAT(html, Not(HasSubstr("Chart.js")));
+}
+
+TEST(Html, an_empty_run_has_a_page) {
+    EXPECT_THAT(page({{}}, {}), HasSubstr("The result file names no picture."));
+}
+
+}  // namespace
+}  // namespace ptb
