@@ -47,8 +47,9 @@ std::string devices_text(const std::vector<DeviceInfo>& devices) {
     int platform = -1;
     for (const DeviceInfo& d : devices) {
         if (d.platform_index != platform) {
-            text += fmt::format("platform {}: {}, {} ({})\n", d.platform_index, printable(d.platform),
-                                printable(d.platform_version), d.icd.empty() ? "any driver" : d.icd);
+            text +=
+                fmt::format("platform {}: {}, {} ({})\n", d.platform_index, printable(d.platform),
+                            printable(d.platform_version), d.icd.empty() ? "any driver" : printable(d.icd));
         }
         platform = d.platform_index;
         text += device_text(d);
@@ -59,7 +60,7 @@ std::string devices_text(const std::vector<DeviceInfo>& devices) {
 std::string broken_text(const std::vector<BrokenIcd>& broken) {
     std::string text;
     for (const BrokenIcd& each : broken) {
-        text += fmt::format("not usable: {}: {}\n", each.icd, printable(each.reason));
+        text += fmt::format("not usable: {}: {}\n", printable(each.icd), printable(each.reason));
     }
     return text;
 }

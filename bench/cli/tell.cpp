@@ -37,7 +37,7 @@ void tell_what_is_left_out(const CommonFlags& flags, const DeviceList& list) {
             tell(flags, fmt::format("not used: {}: {}", device.key, device.excluded));
     }
     for (const BrokenIcd& each : list.broken) {
-        tell(flags, fmt::format("not usable: {}: {}", each.icd, printable(each.reason)));
+        tell(flags, fmt::format("not usable: {}: {}", printable(each.icd), printable(each.reason)));
     }
 }
 

@@ -45,13 +45,14 @@ struct Package {
     }
 };
 
-/// Packages alone: what lies within them (core, uncore) would count twice, and "psys" is the whole machine.
+/// Packages alone, and once: what lies within them (core, uncore) would count twice, so would the same
+/// counters under "intel-rapl-mmio", and "psys" is the whole machine.
 std::vector<Package> packages_in(const fs::path& powercap) {
     std::vector<Package> packages;
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(powercap, error)) {
-        const std::string name = text_in(entry.path() / "name");
-        if (!name.starts_with("package-")) continue;
+        const std::string name = text_in(entry.path() / "name"), folder = entry.path().filename();
+        if (!name.starts_with("package-") || !folder.starts_with("intel-rapl:")) continue;
         const fs::path energy = entry.path() / "energy_uj";
         packages.push_back(
             {name, energy, microjoules(entry.path() / "max_energy_range_uj"), microjoules(energy), 0});
@@ -70,8 +71,8 @@ EnergyCounter rapl_counter(const fs::path& powercap) {
         const auto packages = std::make_shared<std::vector<Package>>(packages_in(powercap));
         std::vector<std::string> names;
         for (const Package& package : *packages) names.push_back(package.name);
-        counter.source = fmt::format("RAPL {}", fmt::join(names, " + "));
-        if (packages->empty())
+        if (!names.empty()) counter.source = fmt::format("RAPL {}", fmt::join(names, " + "));
+        if (names.empty())
             counter.reason = fmt::format("no RAPL package in {}: this CPU or virtual machine has no counter",
                                          powercap.string());
         counter.joules = [packages] {

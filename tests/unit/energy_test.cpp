@@ -33,12 +33,14 @@ TEST_F(Rapl, packages_are_summed_and_their_parts_are_not) {
     domain("intel-rapl:0", "package-0", "1000000");
     domain("intel-rapl:0:0", "core", "1000000");
     domain("intel-rapl:2", "psys", "1000000");
+    domain("intel-rapl-mmio:0", "package-0", "1000000");
     write("intel-rapl/enabled", "1");
     const EnergyCounter counter = rapl_counter(root);
     EXPECT_EQ(counter.reason, "");
     EXPECT_EQ(counter.source, "RAPL package-0 + package-1");
     const double before = counter.joules();
-    for (const char* const folder : {"intel-rapl:0", "intel-rapl:1", "intel-rapl:0:0", "intel-rapl:2"})
+    for (const char* const folder :
+         {"intel-rapl:0", "intel-rapl:1", "intel-rapl:0:0", "intel-rapl:2", "intel-rapl-mmio:0"})
         write(std::string(folder) + "/energy_uj", "7500000");
     EXPECT_DOUBLE_EQ(counter.joules() - before, 6.5 + 2.5);
 }
@@ -57,6 +59,7 @@ TEST_F(Rapl, a_counter_that_wraps_around_goes_on) {
 
 TEST_F(Rapl, what_cannot_be_read_has_a_reason) {
     EXPECT_THAT(rapl_counter(root / "none").reason, HasSubstr("no RAPL package in"));
+    EXPECT_EQ(rapl_counter(root / "none").source, "");
     domain("intel-rapl:0", "package-0", "unreadable");
     EXPECT_THAT(rapl_counter(root).reason, HasSubstr("cannot read " + root.string()));
 }
