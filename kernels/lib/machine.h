@@ -24,7 +24,7 @@
 #endif
 
 /* NVIDIA's instructions, as inline assembler. */
-#if !defined(PTB_PORTABLE) && (defined(__NV_CL_C_VERSION) || defined(cl_nv_pragma_unroll))
+#if PTB_LANES == 1 && !defined(PTB_PORTABLE) && (defined(__NV_CL_C_VERSION) || defined(cl_nv_pragma_unroll))
 #define PTB_PTX 1
 #else
 #define PTB_PTX 0
