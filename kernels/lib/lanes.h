@@ -52,17 +52,13 @@ typedef PTB_GLUE(int, PTB_LANES) lanes_mask;
 #define lanes_to_f(x) PTB_GLUE(convert_float, PTB_LANES)(lanes_as_i(x))
 #define lanes_to_u(x) lanes_as_u(PTB_GLUE(convert_int, PTB_LANES)(x))
 #endif
-/* `any` of a vector takes a dozen instructions on x86, clang's reduction and folded halves one or a few. */
-static inline int fold_4(int4 m) { return m.x | m.y | m.z | m.w; }
-static inline int fold_8(int8 m) { return fold_4(m.lo | m.hi); }
-static inline int fold_16(int16 m) { return fold_8(m.lo | m.hi); }
-#if PTB_LANES == 32
-static inline int fold_32(int32 m) { return fold_16(m.lo | m.hi); }
-#endif
+/* `any` of a vector takes a dozen instructions on x86, the reduction one. */
 #if PTB_REDUCES
 static inline bool lanes_any(lanes_mask mask) { return __builtin_reduce_or(mask) != 0; }
+#elif PTB_LANES == 32
+static inline bool lanes_any(lanes_mask mask) { return any(mask.lo | mask.hi); }
 #else
-static inline bool lanes_any(lanes_mask mask) { return PTB_GLUE(fold_, PTB_LANES)(mask) != 0; }
+static inline bool lanes_any(lanes_mask mask) { return any(mask); }
 #endif
 static inline lanes_mask lanes_none(void) { return (lanes_mask)(0); }
 static inline lanes_mask lanes_all(void) { return (lanes_mask)(-1); }
