@@ -53,8 +53,10 @@ typedef PTB_GLUE(int, PTB_LANES) lanes_mask;
 #define lanes_to_u(x) lanes_as_u(PTB_GLUE(convert_int, PTB_LANES)(x))
 #endif
 /* `any` of a vector takes a dozen instructions on x86, the reduction one. */
-#if PTB_HAS(__builtin_reduce_or) || PTB_LANES == 32
+#if PTB_REDUCES
 static inline bool lanes_any(lanes_mask mask) { return __builtin_reduce_or(mask) != 0; }
+#elif PTB_LANES == 32
+static inline bool lanes_any(lanes_mask mask) { return any(mask.lo | mask.hi); }
 #else
 static inline bool lanes_any(lanes_mask mask) { return any(mask); }
 #endif

@@ -23,8 +23,17 @@
 #define PTB_X86 0
 #endif
 
+/* clang's reduction of a vector, which Oclgrind does not know. It belongs to no machine, so it is portable text too. */
+#define PTB_REDUCES 0
+#if defined(__x86_64__) && defined(__has_builtin)
+#if __has_builtin(__builtin_reduce_or)
+#undef PTB_REDUCES
+#define PTB_REDUCES 1
+#endif
+#endif
+
 /* NVIDIA's instructions, as inline assembler. */
-#if !defined(PTB_PORTABLE) && (defined(__NV_CL_C_VERSION) || defined(cl_nv_pragma_unroll))
+#if PTB_LANES == 1 && !defined(PTB_PORTABLE) && (defined(__NV_CL_C_VERSION) || defined(cl_nv_pragma_unroll))
 #define PTB_PTX 1
 #else
 #define PTB_PTX 0

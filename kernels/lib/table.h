@@ -12,13 +12,16 @@ typedef struct Table {
 } Table;
 
 /* The member of each lane's own row of an array of structs. */
-#define LANES_GATHER_4(rows, index, member)                                                      \
-    (float4)((rows)[(index).s0].member, (rows)[(index).s1].member, (rows)[(index).s2].member, \
-             (rows)[(index).s3].member)
-#define LANES_GATHER_8(rows, index, member) \
-    (float8)(LANES_GATHER_4(rows, (index).lo, member), LANES_GATHER_4(rows, (index).hi, member))
-#define LANES_GATHER_16(rows, index, member) \
-    (float16)(LANES_GATHER_8(rows, (index).lo, member), LANES_GATHER_8(rows, (index).hi, member))
+#define LANES_GATHER_4(rows, index, member) \
+    (float4)((rows)[(index).s0].member, (rows)[(index).s1].member, (rows)[(index).s2].member, (rows)[(index).s3].member)
+#define LANES_GATHER_8(rows, index, member)                                                                              \
+    (float8)((rows)[(index).s0].member, (rows)[(index).s1].member, (rows)[(index).s2].member, (rows)[(index).s3].member, \
+             (rows)[(index).s4].member, (rows)[(index).s5].member, (rows)[(index).s6].member, (rows)[(index).s7].member)
+#define LANES_GATHER_16(rows, index, member)                                                                              \
+    (float16)((rows)[(index).s0].member, (rows)[(index).s1].member, (rows)[(index).s2].member, (rows)[(index).s3].member, \
+              (rows)[(index).s4].member, (rows)[(index).s5].member, (rows)[(index).s6].member, (rows)[(index).s7].member, \
+              (rows)[(index).s8].member, (rows)[(index).s9].member, (rows)[(index).sa].member, (rows)[(index).sb].member, \
+              (rows)[(index).sc].member, (rows)[(index).sd].member, (rows)[(index).se].member, (rows)[(index).sf].member)
 #define LANES_GATHER_32(rows, index, member) \
     (float32)(LANES_GATHER_16(rows, (index).lo, member), LANES_GATHER_16(rows, (index).hi, member))
 #if PTB_LANES == 1
