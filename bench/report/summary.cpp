@@ -33,7 +33,7 @@ std::vector<Record> headline(const std::vector<Record>& records) {
     for (const auto& [work, same] : by_work(records))
         if (best.empty() || rank(same) > rank(best)) best = same;
     std::sort(best.begin(), best.end(), [](const Record& a, const Record& b) {
-        return a.statistics->median_ns < b.statistics->median_ns;
+        return a.statistics.value_or(Statistics()).median_ns < b.statistics.value_or(Statistics()).median_ns;
     });
     return best;
 }
@@ -61,8 +61,11 @@ std::vector<std::string> speeds(const ResultFile& result) {
     const Record& fast = devices.front();
     const std::string time =
         fmt::format("{} takes {} ms", work_text(fast.params), number_text(ms(fast.statistics->median_ns)));
-    if (devices.size() == 1)
-        return {fmt::format("{}: {} (+- {} %).", name_of(result, fast), time, spread_text(*fast.statistics))};
+    if (devices.size() == 1) {
+        const std::string spread = spread_text(*fast.statistics);
+        return {fmt::format("{}: {}{}.", name_of(result, fast), time,
+                            spread == "-" ? "" : " (+- " + spread + " %)")};
+    }
     std::vector<std::string> sentences{
         fmt::format("{} is the fastest of {} devices: {}.", name_of(result, fast), devices.size(), time)};
     for (std::size_t i = 1; i < devices.size(); ++i)

@@ -74,8 +74,13 @@ class Browser:
             time.sleep(0.02)
         return time.monotonic() - start
 
+    def settle(self):
+        """Lets the page draw what it has begun."""
+        self.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))")
+
     def complaints(self):
         """What the console got, and exceptions."""
+        self.settle()
         kinds = ("Runtime.consoleAPICalled", "Runtime.exceptionThrown", "Log.entryAdded")
         return [event for event in self.events if event.get("method") in kinds]
 
@@ -90,5 +95,6 @@ class Browser:
         self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
 
     def screenshot(self, file):
+        self.settle()
         shot = self.call("Page.captureScreenshot", captureBeyondViewport=True)
         file.write_bytes(base64.b64decode(shot["data"]))

@@ -6,7 +6,7 @@
 namespace ptb {
 namespace {
 
-constexpr std::size_t most_bytes = 1000 * 1000;  ///< GitHub shows none a summary of more than 1 MiB
+constexpr std::size_t most_bytes = 1'000'000;  ///< GitHub shows no summary of more than 1 MiB
 
 /// Rows that fit into `bytes`, with a note of what is left out.
 std::string fitted(Section section, std::size_t bytes) {

@@ -19,8 +19,9 @@ constexpr int shades = 8;
 std::string outcome_text(const Record& record) {
     if (!timed(record) || record.status != Status::ok)
         return to_string(record.status) + (record.reason.empty() ? "" : ": " + record.reason);
-    return fmt::format("{} ms +- {} %", number_text(ms(record.statistics->median_ns)),
-                       spread_text(*record.statistics));
+    const std::string spread = spread_text(*record.statistics);
+    return number_text(ms(record.statistics->median_ns)) +
+           (spread == "-" ? " ms" : " ms +- " + spread + " %");
 }
 
 /// Times by work-group of cases that are otherwise the same; of each work that with the most samples.

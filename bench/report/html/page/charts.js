@@ -54,7 +54,12 @@ const intervals = {
 
 function axis(type, text) { return {type, title: {display: true, text}}; }
 
-/** A chart in a figure. `words` are its text alternative and its caption. */
+/** Draws the charts in a place: they take their size from it. */
+function drawIn(place) {
+  for (const figure of place.querySelectorAll('figure')) figure.draw?.();
+}
+
+/** A chart in a figure, to be drawn. `words` are its text alternative and its caption. */
 function chartFigure(config, words, className = '') {
   const canvas = element('canvas', {role: 'img', 'aria-label': words});
   const figure = element('figure', {}, element('div', {class: `canvas ${className}`}, canvas),
@@ -62,7 +67,6 @@ function chartFigure(config, words, className = '') {
   config.options = {animation: false, maintainAspectRatio: false, ...config.options};
   config.plugins = [intervals];
   figure.draw = () => { Chart.getChart(canvas)?.destroy(); new Chart(canvas, config); };
-  requestAnimationFrame(figure.draw);
   return figure;
 }
 
@@ -159,7 +163,10 @@ function samplesChart(runs) {
   const name = ({params: p}) => `${p.device} ${p.kernel} ${p.size} SPP ${p.spp} ${p.work_group} lanes ${p.lanes}`;
   const select = element('select', {}, ...sampled.map(({record}, i) => element('option', {value: i}, name(record))));
   const place = element('div');
-  const show = () => place.replaceChildren(stripFigure(sampled[select.value].record, sampled[select.value].samples));
+  const show = () => {
+    place.replaceChildren(stripFigure(sampled[select.value].record, sampled[select.value].samples));
+    drawIn(place);
+  };
   select.addEventListener('input', show);
   show();
   return [element('div', {}, element('label', {}, 'Samples of', select), place)];
@@ -178,9 +185,10 @@ function setUpCharts(runs) {
   const figures = [...sppChart(points), ...scalingChart(points, runs), ...workGroupChart(points), ...historyChart(points),
     ...samplesChart(runs)];
   document.getElementById('charts').append(element('div', {class: 'charts'}, ...figures));
+  drawIn(document);
   const redraw = () => {
     themeCharts();
-    for (const figure of document.querySelectorAll('figure')) figure.draw?.();
+    drawIn(document);
   };
   for (const query of ['(prefers-color-scheme: dark)', 'print']) matchMedia(query).addEventListener('change', redraw);
 }

@@ -25,7 +25,9 @@ function sampleReader(bytes) {
 
 /** One data script as {text, samples, content}: the file's text without samples, they, and what the text says. */
 async function unpack(script) {
-  const packed = Uint8Array.from(atob(script.textContent), (c) => c.charCodeAt(0));
+  const binary = atob(script.textContent);
+  const packed = new Uint8Array(binary.length);  // Uint8Array.from took 0.3 s for 2.5 MB
+  for (let i = 0; i < binary.length; i++) packed[i] = binary.charCodeAt(i);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
   const end = bytes.indexOf(10);

@@ -3,8 +3,9 @@
 /** The record of a case, put there when it is opened first. */
 function fillCase(details, record, samples) {
   if (details.childElementCount > 1) return;
-  details.append(facts({...record, samples: `${samples.length}, below`}));
+  details.append(facts({...record, samples: samples.length ? `${samples.length}, below` : 0}));
   if (samples.length) details.append(stripFigure(record, samples));
+  drawIn(details);
 }
 
 /** Opens what a link leads to, and all that it lies in. */
