@@ -1,6 +1,7 @@
 #include <fstream>
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include "bench/tune/store.h"
 #include "core/input/usage_error.h"
@@ -41,7 +42,7 @@ class Store : public testing::Test {
         }
         return "(accepted)";
     }
-    const fs::path folder = fs::path(testing::TempDir()) / "ptbench-tune-store";
+    const fs::path folder = fs::path(testing::TempDir()) / ("ptb-tune-store-" + std::to_string(::getpid()));
     const fs::path file = folder / "ptbench/tune.json";
 };
 
