@@ -12,12 +12,14 @@
 namespace ptb {
 namespace {
 
-/// Samples without a flag, while those are at least half; by the clock that the record believes.
+/// Of one render, in samples without a flag, while those are at least half; by the clock that the record
+/// believes.
 std::vector<double> times_of(const Record& record) {
     const bool host = record.statistics->timer == "host";
+    const int renders = record.work ? record.work->renders : 1;
     std::vector<double> clean, all;
     for (const TimeSample& sample : record.samples) {
-        const auto ns = static_cast<double>(host ? sample.host_ns : sample.kernel_ns);
+        const auto ns = static_cast<double>(host ? sample.host_ns : sample.kernel_ns) / renders;
         if (!(ns > 0)) continue;
         all.push_back(ns);
         if (sample.cause.empty()) clean.push_back(ns);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/plan/config.h"
 #include "bench/report/sections.h"
 #include "bench/report/words.h"
 
