@@ -47,6 +47,17 @@ Row only(const Comparison& comparison) {
     return comparison.rows.at(0);
 }
 
+TEST(sessions, times_are_of_one_render_where_a_sample_holds_several) {
+    Record record;
+    record.status = Status::ok;
+    record.statistics.emplace().timer = "event";
+    record.work.emplace().renders = 4;
+    record.samples.emplace_back().kernel_ns = 4000;
+    ResultFile result;
+    result.cases = {record};
+    EXPECT_EQ(session_of(result, "a.json").cases.at(0).times_ns, std::vector{1000.0});
+}
+
 TEST(sessions, one_a_side_is_advisory_unless_asked) {
     const std::vector base{session({session_case("a", 1e6)})}, now{session({session_case("a", 1.2e6)})};
     const Row row = only(compare_sessions(base, now, rules()));
