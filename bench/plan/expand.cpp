@@ -51,10 +51,16 @@ std::vector<Case> expand_series(const Series& series) {
 std::vector<Case> expand_for_any_device(const Config& config) {
     std::vector<Case> cases;
     std::set<Case> seen;
+    std::size_t expanded = 0;
     const auto series = config.series.empty() ? std::vector<Series>(1) : config.series;
-    for (const Series& one : series)
-        for (const Case& c : expand_series(one))
+    for (const Series& one : series) {
+        const auto more = expand_series(one);
+        if ((expanded += more.size()) > most_cases)
+            throw UsageError(
+                fmt::format("series: more than {} cases in all; sweep fewer values", most_cases));
+        for (const Case& c : more)
             if (seen.insert(c).second) cases.push_back(c);
+    }
     return cases;
 }
 
