@@ -53,8 +53,13 @@ using SeriesCases = std::vector<std::pair<Series, std::vector<Case>>>;
 
 SeriesCases expand_for_any_device(const Config& config) {
     SeriesCases all;
-    for (const Series& series : config.series.empty() ? std::vector<Series>(1) : config.series)
+    std::size_t expanded = 0;
+    for (const Series& series : config.series.empty() ? std::vector<Series>(1) : config.series) {
         all.emplace_back(series, expand_series(series));
+        if ((expanded += all.back().second.size()) > most_cases)
+            throw UsageError(
+                fmt::format("series: more than {} cases in all; sweep fewer values", most_cases));
+    }
     return all;
 }
 

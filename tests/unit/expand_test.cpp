@@ -78,7 +78,10 @@ TEST(Expand, more_segments_than_a_pixel_counts_are_refused) {
 
 TEST(Expand, a_sweep_without_end_is_refused) {
     EXPECT_THAT(complaint(R"j([{"spp": "[1:4000:1]", "size": "[1:4000:1]", "path_length": "[1:4000:1]"}])j"),
-                HasSubstr("more than 100000 cases"));
+                HasSubstr("a series of more than 100000 cases"));
+    const std::string large = R"j({"spp": "[1:4000:1]", "size": "[1:15:1]"})j";
+    EXPECT_EQ(complaint("[" + large + "]"), "(accepted)");
+    EXPECT_THAT(complaint("[" + large + "," + large + "]"), HasSubstr("more than 100000 cases in all"));
 }
 
 TEST(Expand, quick_config_holds_the_thesis_spps_and_both_models_of_work_groups) {
