@@ -193,12 +193,22 @@ class NothingLost(CliTest):
 
 
 class Shipped(unittest.TestCase):
-    def test_configs_and_scenes_keep_to_their_schemas(self):
-        configs = SOURCE / "configs"
-        for schema, files in (("config", configs.glob("*.json")), ("scene", (configs / "scenes").glob("*.json"))):
+    def test_configs_scenes_and_archived_results_keep_to_their_schemas(self):
+        configs, archive = SOURCE / "configs", SOURCE / "results/archive"
+        for schema, files in (("config", configs.glob("*.json")), ("scene", (configs / "scenes").glob("*.json")),
+                              ("result", archive.rglob("result.json"))):
             files = sorted(files)
             self.assertTrue(files)
             self.assertEqual(schema_errors(configs / f"schema/{schema}.schema.json", *files), "")
+
+    def test_archived_results_are_right_pictures_of_committed_trees(self):
+        for file in (SOURCE / "results/archive").rglob("result.json"):
+            result = json.loads(file.read_text())
+            with self.subTest(file.relative_to(SOURCE)):
+                self.assertFalse(result["run"]["git_dirty"] or result["run"]["interrupted"])
+                self.assertEqual({case["status"] for case in result["cases"]} - {"ok", "skipped", "unsupported"}, set())
+                for case in result["cases"]:
+                    self.assertEqual(case["status"] == "ok", bool(case["samples"]))
 
 
 if __name__ == "__main__":
