@@ -11,6 +11,7 @@ namespace {
 constexpr int chains = 8;                                                ///< of the kernels
 constexpr cl_uint fast_steps = 32768, slow_steps = 4096;                 ///< llvmpipe ends loops after 65535
 constexpr cl_uint table_size = 1024;                                     ///< of the kernel
+constexpr int most_lanes = 16;                                           ///< with built-in functions
 constexpr std::uint64_t most_data = 1u << 30, most_cpu_data = 1u << 29;  ///< bytes
 
 /// A CPU's work-items with lanes each are a work-group: each reads a piece of memory of its own.
@@ -28,7 +29,7 @@ std::uint64_t busy_items(const DeviceInfo& device) {
 
 PeakLaunches::PeakLaunches(const Device& device, const std::string& kernel_dir)
     : device_(device),
-      lanes_(device.info.default_lanes),
+      lanes_(std::min(device.info.default_lanes, most_lanes)),
       per_group_(items_a_group(device.info)),
       items_(busy_items(device.info)),
       program_(build(device, kernel_source("probe/peaks.cl", kernel_dir),

@@ -1,6 +1,6 @@
 /* What a device can do at most. Each kernel repeats one thing, in chains that do not wait for each other, and leaves a
    number that tells how often: the host compares it, so nothing can be left out. Work-items have PTB_LANES lanes as the
-   tracers' have; the starts come from the host, so that no compiler knows them. Loops are unrolled since their own turns
+   tracers' have, at most 16; the starts come from the host, so that no compiler knows them. Loops are unrolled since their own turns
    take time: an H200 does 47, 61, 63, 65 TFLOP/s with 1, 4, 8, 16 steps in one. */
 #include "lib/lanes.h"
 

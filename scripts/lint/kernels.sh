@@ -26,6 +26,7 @@ check() { # FILE OPTIONS...
 few=(-DPT_FEW=9 -DPT_OPAQUE=8)
 while IFS= read -r kernel; do
     for lanes in 1 4 8 16 32; do
+        if [[ $lanes -eq 32 && $kernel == */peaks.cl ]]; then continue; fi # it needs built-ins, which end at 16
         portable=(-target spir64 "-DPTB_LANES=$lanes")
         check "$kernel" "${portable[@]}" -DPT_GLOWS
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_PORTABLE
