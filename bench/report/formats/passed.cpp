@@ -1,7 +1,5 @@
 #include "bench/report/formats/passed.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "bench/compare/row.h"
@@ -22,9 +20,7 @@ std::vector<Passed> passed(const ResultFile& result) {
     for (std::size_t i = 0; i < result.cases.size(); ++i) {
         const Record& record = result.cases[i];
         if (!timed(record) || session.cases[i].times_ns.empty()) continue;
-        Passed& p = all.emplace_back(Passed{record, passed_name(result, record), session.cases[i].times_ns});
-        const int renders = record.work ? std::max(record.work->renders, 1) : 1;
-        for (double& ns : p.times_ns) ns /= renders;
+        all.push_back({record, passed_name(result, record), session.cases[i].times_ns});
     }
     return all;
 }
