@@ -12,6 +12,9 @@
 #include "bench/report/markdown.h"
 #include "bench/report/table.h"
 
+/// LeakSanitizer asks for it: the C library keeps the folders of LOCPATH for ever.
+extern "C" const char* __lsan_default_suppressions() { return "leak:__argz_add_sep\n"; }
+
 namespace ptb {
 namespace {
 
