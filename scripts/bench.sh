@@ -8,18 +8,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # shellcheck source=scripts/packages.sh
 . "$root/scripts/packages.sh"
 
-build() {
-    # A tree that is configured already (by test.sh, by hand) is used as it is.
-    if [ ! -f "$root/build/release/build.ninja" ]; then
-        echo "Configuring ..." >&2
-        (cd "$root" && quietly cmake --preset release -DPTBENCH_TESTS=OFF -DPTBENCH_MICRO=OFF)
-    fi
-    if [ ! -x "$root/build/release/bin/ptbench" ]; then echo "Building ptbench (a minute or two, once) ..." >&2; fi
-    quietly cmake --build "$root/build/release" --target ptbench
-}
-
 install_missing "$PACKAGES_TO_BUILD"
-build
+build_ptbench "$root"
 
 ptbench=$root/build/release/bin/ptbench
 case "${1-}" in

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What ptbench needs from apt, and a function that installs what is missing. Sourced by bench.sh and test.sh. The names
+# What ptbench needs from apt, and functions that install what is missing and build. Sourced by bench.sh and test.sh. The names
 # are those of Debian 12 and of Ubuntu 22.04 and 24.04. One package a line: name, then what it is for.
 
 PACKAGES_TO_BUILD='
@@ -93,4 +93,14 @@ quietly() {
         rm -f "$log"
         return "$code"
     fi
+}
+
+# build_ptbench TREE: in build/release of a tree; one that is configured already is used as it is.
+build_ptbench() {
+    if [ ! -f "$1/build/release/build.ninja" ]; then
+        echo "Configuring ..." >&2
+        (cd "$1" && quietly cmake --preset release -DPTBENCH_TESTS=OFF -DPTBENCH_MICRO=OFF)
+    fi
+    if [ ! -x "$1/build/release/bin/ptbench" ]; then echo "Building ptbench (a minute or two, once) ..." >&2; fi
+    quietly cmake --build "$1/build/release" --target ptbench
 }

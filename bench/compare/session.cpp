@@ -5,6 +5,7 @@
 #include <map>
 
 #include "bench/compare/row.h"
+#include "bench/measure/causes.h"
 #include "bench/measure/statistics.h"
 #include "bench/plan/tuned.h"
 #include "bench/record/json.h"
@@ -19,7 +20,7 @@ std::vector<double> times_of(const Record& record) {
     const int renders = record.work ? record.work->renders : 1;
     std::vector<double> clean, all;
     for (const TimeSample& sample : record.samples) {
-        const auto ns = static_cast<double>(host ? sample.host_ns : sample.kernel_ns) / renders;
+        const double ns = time_ns(sample, host, renders);
         if (!(ns > 0)) continue;
         all.push_back(ns);
         if (sample.cause.empty()) clean.push_back(ns);

@@ -17,10 +17,6 @@ bool counts(const TimeSample& sample, bool host_clock) {
     return sample.cause.empty() || (host_clock && sample.cause == cause::timer_fault);
 }
 
-double time_ns(const TimeSample& sample, bool host_clock, int renders) {
-    return static_cast<double>(host_clock ? sample.host_ns : sample.kernel_ns) / renders;
-}
-
 std::string advice(const std::string& why) {
     if (why == cause::clock_low)
         return "the device runs below its best clock: let it cool, or lock its clock";
@@ -59,6 +55,10 @@ bool ClockWatch::low(std::int64_t probe_ns) {
     if (probe_ns <= 0) return false;
     best_ns_ = best_ns_ == 0 ? probe_ns : std::min(best_ns_, probe_ns);
     return static_cast<double>(probe_ns) > clock_limit * static_cast<double>(best_ns_);
+}
+
+double time_ns(const TimeSample& sample, bool host_clock, int renders) {
+    return static_cast<double>(host_clock ? sample.host_ns : sample.kernel_ns) / renders;
 }
 
 Kept keep(std::span<const TimeSample> samples, bool host_clock, int renders) {

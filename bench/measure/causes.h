@@ -39,6 +39,9 @@ class ClockWatch {
     std::int64_t best_ns_ = 0;
 };
 
+/// Of one render, where a sample holds `renders`; nanoseconds.
+double time_ns(const TimeSample& sample, bool host_clock, int renders);
+
 /// The times of one render that count. Flagged samples are left out while they are under half; else all stay
 /// and the case is unstable. By the host's clock, faulty event times are no flaw.
 struct Kept {

@@ -18,17 +18,12 @@ shift
 results=${PTBENCH_GATE_DIR:-gate-results}
 mkdir -p "$results"
 
-build() { # TREE
-    (cd "$1" && quietly cmake --preset release -DPTBENCH_TESTS=OFF -DPTBENCH_MICRO=OFF &&
-        quietly cmake --build build/release --target ptbench)
-}
-
 base=$(mktemp -d)
 trap 'git -C "$root" worktree remove --force "$base/tree" 2>/dev/null || true; rm -rf "$base"' EXIT
 quietly git -C "$root" worktree add --detach "$base/tree" "$revision"
 install_missing "$PACKAGES_TO_BUILD"
-build "$base/tree"
-build "$root"
+build_ptbench "$base/tree"
+build_ptbench "$root"
 
 code=0
 "$root/build/release/bin/ptbench" ab --base "$base/tree/build/release/bin/ptbench" \

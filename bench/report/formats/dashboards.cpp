@@ -22,29 +22,26 @@ Json metric(double value, double low, double high) {
     return {{"value", value}, {"lower_value", low}, {"upper_value", high}};
 }
 
-}  // namespace
-
-std::string github_action_smaller(const ResultFile& result) {
+/// One entry a timed case; `value` is in `unit`.
+std::string github_action(const ResultFile& result, const char* unit, double (*value)(const Statistics&)) {
     Json list = Json::array();
     for (const Passed& p : passed(result)) {
         const Statistics& s = *p.record.statistics;
-        Json json = {{"name", p.name}, {"unit", "ms"}, {"value", ms(s.median_ns)}, {"extra", extra(p)}};
+        Json json = {{"name", p.name}, {"unit", unit}, {"value", value(s)}, {"extra", extra(p)}};
         add_range(json, s);
         list.push_back(json);
     }
     return dump_json(list, 2) + "\n";
 }
 
+}  // namespace
+
+std::string github_action_smaller(const ResultFile& result) {
+    return github_action(result, "ms", [](const Statistics& s) { return ms(s.median_ns); });
+}
+
 std::string github_action_bigger(const ResultFile& result) {
-    Json list = Json::array();
-    for (const Passed& p : passed(result)) {
-        const Statistics& s = *p.record.statistics;
-        Json json = {
-            {"name", p.name}, {"unit", "Msamples/s"}, {"value", s.msamples_per_s}, {"extra", extra(p)}};
-        add_range(json, s);
-        list.push_back(json);
-    }
-    return dump_json(list, 2) + "\n";
+    return github_action(result, "Msamples/s", [](const Statistics& s) { return s.msamples_per_s; });
 }
 
 std::string bencher(const ResultFile& result) {
