@@ -27,12 +27,12 @@ class DeviceBench {
         if (!device_) device_ = ocl::open_device(key_);
         return *device_;
     }
-    const ocl::Program& program(const Integrator& kernel, int lanes) {
+    const ocl::Program& program(const Integrator& kernel, const RenderJob& job) {
         const auto found = programs_.find(kernel.id);
         if (found != programs_.end()) return found->second;
         return programs_
-            .emplace(kernel.id, ocl::build(device(), kernel_source(kernel.file),
-                                           kernel.options(device(), scene(), lanes)))
+            .emplace(kernel.id,
+                     ocl::build(device(), kernel_source(kernel.file), kernel.options(device(), scene(), job)))
             .first->second;
     }
 
@@ -57,7 +57,7 @@ RenderJob job_of(const Integrator& kernel, const DeviceInfo& device, int spp) {
 /// One render an iteration, its time from the events: the host's clock only where those are of no use.
 void time_renders(benchmark::State& state, DeviceBench& bench, const Integrator& kernel) {
     const RenderJob job = job_of(kernel, bench.device().info, static_cast<int>(state.range(0)));
-    const auto render = kernel.make(bench.device(), bench.program(kernel, job.lanes), bench.scene(), job);
+    const auto render = kernel.make(bench.device(), bench.program(kernel, job), bench.scene(), job);
     PassCutter cutter;
     const auto once = [&] {
         return timed_render(*render,

@@ -72,6 +72,12 @@ int lanes_of(const std::string& axis, const std::string& text) {
     return lanes;
 }
 
+void set_choice(Variant& variant, const VariantAxis& axis, const std::string& text) {
+    const auto found = std::find(axis.values.begin(), axis.values.end(), text);
+    if (found == axis.values.end()) refuse(axis.name, text, fmt::format("{}", fmt::join(axis.values, ", ")));
+    axis.set(variant, static_cast<std::size_t>(found - axis.values.begin()));
+}
+
 std::string name_of(const std::string& axis, const std::string& text) {
     const bool blank = std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); });
     if (blank || printable(text) != text) refuse(axis, text, "a name of printable characters");
@@ -81,15 +87,20 @@ std::string name_of(const std::string& axis, const std::string& text) {
 }  // namespace
 
 const std::vector<std::pair<std::string, std::string>>& axis_help() {
-    static const std::vector<std::pair<std::string, std::string>> help = {
-        {"kernel", "integrator, by its name in `ptbench list`"},
-        {"scene", "a shipped scene's name, or a scene file"},
-        {"size", "pixels: N (square) or WIDTHxHEIGHT"},
-        {"spp", "samples per pixel"},
-        {"path_length", "most segments in a path, the camera's included"},
-        {"lanes", "rays traced together by one work-item: auto, 1, 4, 8, 16, 32"},
-        {"work_group", "implicit (the runtime chooses), N, or NxM"},
-    };
+    static const auto help = [] {
+        std::vector<std::pair<std::string, std::string>> all = {
+            {"kernel", "integrator, by its name in `ptbench list`"},
+            {"scene", "a shipped scene's name, or a scene file"},
+            {"size", "pixels: N (square) or WIDTHxHEIGHT"},
+            {"spp", "samples per pixel"},
+            {"path_length", "most segments in a path, the camera's included"},
+        };
+        for (const VariantAxis& axis : variant_axes())
+            all.emplace_back(axis.name, fmt::format("{}: {}", axis.help, fmt::join(axis.values, ", ")));
+        all.emplace_back("lanes", "rays traced together by one work-item: auto, 1, 4, 8, 16, 32");
+        all.emplace_back("work_group", "implicit (the runtime chooses), N, or NxM");
+        return all;
+    }();
     return help;
 }
 
@@ -118,6 +129,8 @@ void set_case_value(Case& c, const std::string& axis, const std::string& value) 
     if (axis == "path_length") c.path_length = integer(axis, value);
     if (axis == "lanes") c.lanes = lanes_of(axis, value);
     if (axis == "work_group") c.work_group = work_group_of(axis, value);
+    for (const VariantAxis& choice : variant_axes())
+        if (axis == choice.name) set_choice(c.variant, choice, value);
 }
 
 std::string case_value(const Case& c, const std::string& axis) {
@@ -129,6 +142,8 @@ std::string case_value(const Case& c, const std::string& axis) {
     if (axis == "path_length") return std::to_string(c.path_length);
     if (axis == "lanes") return c.lanes == 0 ? "auto" : std::to_string(c.lanes);
     if (axis == "work_group") return to_string(c.work_group);
+    for (const VariantAxis& choice : variant_axes())
+        if (axis == choice.name) return choice.value_of(c.variant);
     check_axis_name(axis);
     return {};
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/image/image.h"
+#include "core/render/variant.h"
 
 namespace ptb {
 
@@ -26,6 +27,7 @@ struct Case {
     WorkGroup work_group;
     int lanes = 0;  ///< rays traced together by one work-item: 1, 4, 8, 16 or 32; 0 lets the device decide
     bool lanes_tuned = false, work_group_tuned = false;  ///< nobody named a value: `ptbench tune` found this
+    Variant variant{};  ///< memory, queue, dispatch, pixel filter, random numbers, build
     auto operator<=>(const Case&) const = default;
 };
 

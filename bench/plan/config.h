@@ -70,7 +70,7 @@ void check_axis_name(const std::string& name);
 Case default_case();
 
 /// Sets one field of a case from text: size "128" or "640x480", work_group "implicit", "64", "16x16", lanes
-/// "auto", 1, 4, 8, 16. Throws UsageError naming the axis, what was found and what is allowed.
+/// "auto", 1, 4, 8, 16, rng "hash". Throws UsageError naming the axis, what was found and what is allowed.
 void set_case_value(Case& c, const std::string& axis, const std::string& value);
 std::string case_value(const Case& c, const std::string& axis);
 

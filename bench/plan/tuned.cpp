@@ -19,7 +19,7 @@ void apply_tuned(Case& c, const Series& series, const std::vector<Case>& tuned) 
     const auto best = std::find_if(tuned.begin(), tuned.end(), [&](const Case& t) {
         return t.device == c.device && t.kernel == c.kernel;
     });
-    if (best == tuned.end()) return;
+    if (best == tuned.end() || c.variant != best->variant) return;
     if (!names(series, "lanes")) {
         c.lanes = best->lanes;
         c.lanes_tuned = true;

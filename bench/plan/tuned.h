@@ -8,7 +8,7 @@ namespace ptb {
 
 /// Fills what the series leaves to the program with what `ptbench tune` found for the case's device and
 /// kernel: the lane width, and the work-group that was best with it. An axis that the series names stays as
-/// it is, `auto` and `implicit` included.
+/// it is, `auto` and `implicit` included; so does a case of another variant than was raced.
 void apply_tuned(Case& c, const Series& series, const std::vector<Case>& tuned);
 
 /// The case as the plan asked for it, before tuning.

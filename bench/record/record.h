@@ -23,6 +23,7 @@ struct Work {
     int passes = 0;   ///< launches of the render kernel in one sample of time
     std::int64_t longest_launch_ns = 0;
     std::uint64_t device_bytes = 0;  ///< device memory asked for
+    std::optional<double> overlap;   ///< out of order: share of the launches' times that ran beside another's
     bool operator==(const Work&) const = default;
 };
 

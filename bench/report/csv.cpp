@@ -82,6 +82,12 @@ std::string time_ms(const Row& r) {
     return ok ? ms_text(r.record.statistics->median_ns) : "";
 }
 
+Columns variant_columns() {
+    Columns columns;
+    for (const VariantAxis& each : variant_axes()) columns.emplace_back(each.name, axis(each.name));
+    return columns;
+}
+
 const Columns& case_columns() {
     static const Columns columns = {
         {"kernel", axis("kernel")},
@@ -179,8 +185,8 @@ std::vector<std::string> sample_cells(std::size_t index, const TimeSample& s) {
 
 std::string csv(const ResultFile& result) {
     static const Columns work = {{"spp", axis("spp")}, {"time_ms", time_ms}};
-    const auto columns =
-        joined({device_columns(), work, case_columns(), statistics_columns(), other_columns()});
+    const auto columns = joined(
+        {device_columns(), work, case_columns(), statistics_columns(), other_columns(), variant_columns()});
     std::string output = line(header(columns));
     for (const Record& record : result.cases)
         output += line(cells(columns, {record, device_of(result, record.params.device)}));
@@ -191,7 +197,7 @@ std::string csv_samples(const ResultFile& result) {
     static const Columns spp = {{"spp", axis("spp")}};
     static const Columns renders = {
         {"renders", of_work([](const Work& w) { return std::to_string(w.renders); })}};
-    const auto columns = joined({device_columns(), spp, case_columns(), renders});
+    const auto columns = joined({device_columns(), spp, case_columns(), renders, variant_columns()});
     auto names = header(columns);
     for (const char* name :
          {"sample", "kernel_ns", "sum_ns", "host_ns", "queued_ns", "submit_ns", "probe_ns", "cause"})

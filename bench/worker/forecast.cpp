@@ -9,7 +9,7 @@
 
 namespace ptb {
 
-CostKey cost_key(const Case& c) { return {c.device, c.kernel, c.scene, c.path_length, c.lanes}; }
+CostKey cost_key(const Case& c) { return {c.device, c.kernel, c.scene, c.path_length, c.lanes, c.variant}; }
 
 std::optional<double> Forecast::sample_s(const Case& c) const {
     const auto found = ns_per_sample_.find(cost_key(c));

@@ -10,8 +10,8 @@
 namespace ptb {
 
 /// What decides how long a pixel sample takes.
-using CostKey = std::tuple<std::string, std::string, std::string, int, int>;
-CostKey cost_key(const Case& c);  ///< device, kernel, scene, path length, lanes
+using CostKey = std::tuple<std::string, std::string, std::string, int, int, Variant>;
+CostKey cost_key(const Case& c);  ///< device, kernel, scene, path length, lanes, variant
 
 /// Predicts times of cases from the measured cost of a pixel sample. Seconds; nothing where nothing is known.
 class Forecast {

@@ -21,11 +21,12 @@ bool render_to_file(const RenderRequest& request, std::function<void(double done
                         static_cast<std::uint32_t>(request.seed),
                         c.lanes == 0 ? default_lanes(kernel, device.info) : c.lanes,
                         c.work_group.x,
-                        c.work_group.y};
+                        c.work_group.y,
+                        c.variant};
     const std::string unsupported = unsupported_reason(kernel, device, scene, job);
     if (!unsupported.empty()) throw UsageError(unsupported);
     const ocl::Program program = ocl::build(device, kernel_source(kernel.file, request.kernel_dir),
-                                            kernel.options(device, scene, job.lanes));
+                                            kernel.options(device, scene, job));
     const auto render = kernel.make(device, program, scene, job);
     PassCutter cutter;
     const Progress watched = [&](double done) {

@@ -66,6 +66,28 @@ Build describe_build(const BuiltKernel& kernel, const ocl::KernelFacts& facts) {
     return build;
 }
 
+/// "work-group 64, queue out_of_order"
+std::string launch_name(const Case& c) {
+    Variant launched = c.variant;
+    const Variant usual;
+    launched.scene_memory = usual.scene_memory;
+    launched.pixel_filter = usual.pixel_filter;
+    launched.rng = usual.rng;
+    launched.build = usual.build;
+    const std::string more = to_string(launched);
+    return "work-group " + to_string(c.work_group) + (more.empty() ? "" : ", " + more);
+}
+
+/// Share of the launches' own times that ran beside another's, over all samples.
+std::optional<double> overlap_of(const std::vector<TimeSample>& samples) {
+    double sum_ns = 0, union_ns = 0;
+    for (const TimeSample& sample : samples) {
+        sum_ns += static_cast<double>(sample.sum_ns);
+        union_ns += static_cast<double>(sample.kernel_ns);
+    }
+    return sum_ns > 0 ? std::optional(std::max(0.0, 1 - union_ns / sum_ns)) : std::nullopt;
+}
+
 double steady_s() { return seconds_since(0); }
 
 /// Waits, and says so.
@@ -96,8 +118,21 @@ struct Workbench::Job {
     const Scene* scene = nullptr;
     const Integrator* kernel = nullptr;
     RenderJob work;
-    std::string build_key() const { return fmt::format("{} {} {}", params.kernel, params.scene, work.lanes); }
-    std::string key() const { return fmt::format("{} {}", build_key(), work.path_length); }
+    std::string key_of(const Variant& variant) const {
+        return fmt::format("{} {} {} {} {}", params.kernel, params.scene, work.lanes, work.path_length,
+                           to_string(variant));
+    }
+    /// What a pixel sample costs depends on.
+    std::string key() const { return key_of(work.variant); }
+    /// What it is worth.
+    std::string image_key() const { return key_of(of_image(work.variant)); }
+    /// The same work, launched as usual.
+    RenderJob plain() const {
+        RenderJob job = work;
+        job.work_group_x = job.work_group_y = 0;
+        job.variant = of_image(work.variant);
+        return job;
+    }
 };
 
 Workbench::Workbench(const std::string& device_key, const MeasureOptions& options,
@@ -122,7 +157,8 @@ Workbench::Job Workbench::resolve(const Case& params) {
                 static_cast<std::uint32_t>(options_.seed),
                 params.lanes == 0 ? default_lanes(*job.kernel, device_.info) : params.lanes,
                 params.work_group.x,
-                params.work_group.y};
+                params.work_group.y,
+                params.variant};
     return job;
 }
 
@@ -130,31 +166,32 @@ Workbench::Job Workbench::resolve(const Case& params) {
 Build Workbench::describe_source(const Job& job) const {
     const KernelSource source = kernel_source(job.kernel->file, options_.kernel_dir);
     Build build;
-    build.options = job.kernel->options(device_, *job.scene, job.work.lanes);
+    build.options = job.kernel->options(device_, *job.scene, job.work);
     build.kernel_hash = source.hash;
     build.overridden = source.overridden;
     return build;
 }
 
 std::unique_ptr<Render> Workbench::make(const Job& job, const RenderJob& work) {
-    return job.kernel->make(device_, built(job).program, *job.scene, work);
+    return job.kernel->make(device_, built(job, work).program, *job.scene, work);
 }
 
-BuiltKernel& Workbench::built(const Job& job) {
-    const auto found = built_.find(job.build_key());
+const BuiltKernel& Workbench::built(const Job& job, const RenderJob& work) {
+    const std::string options = job.kernel->options(device_, *job.scene, work);
+    const std::string key = job.params.kernel + " " + options;
+    const auto found = built_.find(key);
     if (found != built_.end()) return found->second;
     const KernelSource source = kernel_source(job.kernel->file, options_.kernel_dir);
     const std::int64_t begin = now_ns();
-    BuiltKernel fresh{ocl::build(device_, source, job.kernel->options(device_, *job.scene, job.work.lanes)),
-                      0, 0};
+    BuiltKernel fresh{ocl::build(device_, source, options), 0};
     fresh.build_ms = seconds_since(begin) * 1e3;
-    return built_[job.build_key()] = fresh;
+    return built_[key] = fresh;
 }
 
 double Workbench::estimate(const Case& params) {
     const Job job = resolve(params);
-    BuiltKernel& kernel = built(job);
-    if (kernel.ns_per_sample > 0) return kernel.ns_per_sample;
+    double& ns_per_sample = ns_per_sample_[job.key()];
+    if (ns_per_sample > 0) return ns_per_sample;
     RenderJob work = job.work;
     work.size = probe_size;
     work.spp = probe_spp;
@@ -167,11 +204,11 @@ double Workbench::estimate(const Case& params) {
             timed_render(*render, {cutter, device_.info.timer_resolution_ns, [](double) { return true; }});
         ns = timed.timer.fault.empty() ? timed.time.kernel_ns : timed.time.host_ns;
     }
-    return kernel.ns_per_sample =
-               static_cast<double>(ns) / static_cast<double>(work.size.pixels() * probe_spp);
+    return ns_per_sample = static_cast<double>(ns) / static_cast<double>(work.size.pixels() * probe_spp);
 }
 
 std::optional<Reference> Workbench::stored_reference(const Job& job) const {
+    if (job.work.variant.pixel_filter == PixelFilter::centre) return std::nullopt;  // theirs is another image
     return load_reference(
         data_folder_ / "results" / "references",
         reference_name(job.scene->name, job.params.kernel, validation_size, job.work.path_length));
@@ -186,9 +223,12 @@ Reference Workbench::host_reference(const Job& job) const {
     work.path_length = job.work.path_length;
     work.seed = options_.seed + 1;
     work.threads = 2;
+    work.pixel_centres = job.work.variant.pixel_filter == PixelFilter::centre;
+    if (work.pixel_centres) work.size = validation_size;  // other pixels have other centres
     const std::int64_t begin = now_ns();
     OracleResult result = trace(*job.scene, work);
-    work.spp = static_cast<int>(std::clamp(2.0 / std::max(seconds_since(begin), 1e-3) * 4, 4.0, 4000.0));
+    work.spp =
+        static_cast<int>(std::clamp(2.0 / std::max(seconds_since(begin), 1e-3) * work.spp, 4.0, 4000.0));
     result = trace(*job.scene, work);
     Reference reference;
     reference.size = work.size;
@@ -204,17 +244,18 @@ Reference Workbench::host_reference(const Job& job) const {
 }
 
 const Validation& Workbench::validated(const Job& job, const Stage& progress) {
-    const auto found = validations_.find(job.key());
+    const auto found = validations_.find(job.image_key());
     if (found != validations_.end()) return found->second;
-    RenderJob work = job.work;
+    RenderJob work = job.plain();
     work.size = validation_size;
-    work.work_group_x = work.work_group_y = 0;
     const std::optional<Reference> reference = stored_reference(job);
-    work.spp = validation_spp(estimate(job.params));
+    Case plain = job.params;
+    plain.variant = work.variant;
+    work.spp = validation_spp(estimate(plain));
     if (!reference) work.spp = std::min(work.spp, 64);
     const auto render = make(job, work);
     timed_render(*render,
-                 {cutters_[job.key()], device_.info.timer_resolution_ns, stage(progress, "validate")});
+                 {cutters_[job.image_key()], device_.info.timer_resolution_ns, stage(progress, "validate")});
     const Film film = render->read_film();
     const Evidence evidence{film, work.size, work.spp, work.path_length};
     Validation validation = check_film(evidence);
@@ -225,14 +266,16 @@ const Validation& Workbench::validated(const Job& job, const Stage& progress) {
     validation.against =
         reference ? reference_name(job.scene->name, job.params.kernel, validation_size, work.path_length)
                   : "the host's tracer, a few samples (there is no stored reference)";
-    return validations_[job.key()] = validation;
+    return validations_[job.image_key()] = validation;
 }
 
 /// The same small work twice, once as the case launches it and in other passes, must give the same bits.
 /// Takes the first launch of this work-group size, which may compile.
-void Workbench::check_work_group(const Job& job, Record& record) {
+void Workbench::check_launch(const Job& job, Record& record) {
     RenderJob work = job.work;
-    work.size = probe_size;
+    RenderJob usual = job.plain();
+    usual.size = work.size = probe_size;
+    usual.spp = probe_spp;
     work.spp = probe_spp;
     const auto launched = make(job, work);
     const std::int64_t begin = now_ns();
@@ -240,8 +283,7 @@ void Workbench::check_work_group(const Job& job, Record& record) {
         launched->advance(work.size.pixels());
     } catch (const ocl::Error& e) {
         if (job.params.work_group.implicit() || !refused_work_group(e)) throw;
-        work.work_group_x = work.work_group_y = 0;
-        make(job, work)->advance(work.size.pixels());  // a device that is lost refuses this too
+        make(job, usual)->advance(work.size.pixels());  // a device that is lost refuses this too
         throw Unsupported(fmt::format("work_group {}: this kernel allows {} work-items here ({})",
                                       to_string(job.params.work_group), record.build->max_work_group,
                                       ocl::error_name(e.code())));
@@ -249,11 +291,9 @@ void Workbench::check_work_group(const Job& job, Record& record) {
     record.build->first_launch_ns = now_ns() - begin;
     launched->restart();
     while (launched->samples_left() > 0) launched->advance(5000);
-    work.work_group_x = work.work_group_y = 0;
-    const auto plain = make(job, work);
+    const auto plain = make(job, usual);
     while (plain->samples_left() > 0) plain->advance(1u << 30);
-    check_same_bits(*record.validation, plain->read_film(), launched->read_film(),
-                    "work-group " + to_string(job.params.work_group));
+    check_same_bits(*record.validation, plain->read_film(), launched->read_film(), launch_name(job.params));
 }
 
 /// Times the case's own work by the method of bench/measure. Leaves the last sample's film in `render`.
@@ -286,6 +326,8 @@ Measurement Workbench::take_samples(const Job& job, Render& render, double time_
 void Workbench::summarize(const Measurement& measurement, Record& record) const {
     record.samples = measurement.samples;
     record.work->renders = measurement.renders;
+    if (record.params.variant.queue == QueueOrder::out_of_order)
+        record.work->overlap = overlap_of(measurement.samples);
     Statistics statistics = describe(measurement, timer_);
     const std::string unstable = unstable_reason(measurement, timer_);
     if (!unstable.empty()) conclude(record, Status::unstable, unstable);
@@ -337,10 +379,10 @@ void Workbench::attempt(const Job& job, double time_left_s, const std::string& i
     RenderJob one_pixel = job.work;
     one_pixel.size = {1, 1};
     one_pixel.spp = 1;
-    const BuiltKernel& kernel = built(job);
+    const BuiltKernel& kernel = built(job, one_pixel);
     record.build = describe_build(kernel, make(job, one_pixel)->facts());
     record.validation = validated(job, progress);
-    if (record.validation->valid) check_work_group(job, record);
+    if (record.validation->valid) check_launch(job, record);
     if (record.validation->valid && !options_.skip_time)
         measure(job, time_left_s, image_file, progress, record);
     if (!record.validation->valid)

@@ -16,12 +16,10 @@
 
 namespace ptb {
 
-/// A kernel built for one device, and what is known of it. Shared by all cases that differ only in size, spp
-/// or work-group.
+/// A kernel built for one device. Shared by all cases that differ only in size, spp or launch.
 struct BuiltKernel {
     ocl::Program program;
     double build_ms = 0;
-    double ns_per_sample = 0;  ///< device time of one pixel sample, from the first small render
 };
 
 /// One device with the kernels built and the verdicts reached on it so far.
@@ -54,10 +52,10 @@ class Workbench {
     Job resolve(const Case& params);
     const Scene& scene(const std::string& name);
     Build describe_source(const Job& job) const;
-    BuiltKernel& built(const Job& job);
+    const BuiltKernel& built(const Job& job, const RenderJob& work);
     std::unique_ptr<Render> make(const Job& job, const RenderJob& work);
     const Validation& validated(const Job& job, const Stage& progress);
-    void check_work_group(const Job& job, Record& record);
+    void check_launch(const Job& job, Record& record);
     void attempt(const Job& job, double time_left_s, const std::string& image_file, const Stage& progress,
                  Record& record);
     void measure(const Job& job, double time_left_s, const std::string& image_file, const Stage& progress,
@@ -76,9 +74,11 @@ class Workbench {
     Disturbances disturbances_;
     std::optional<EnergyMeter> energy_;  ///< once a case is to be timed
     std::map<std::string, Scene> scenes_;
-    std::map<std::string, BuiltKernel> built_;       ///< by kernel, scene, lanes
-    std::map<std::string, Validation> validations_;  ///< by kernel, scene, path length, lanes
-    std::map<std::string, PassCutter> cutters_;      ///< by kernel, scene, path length, lanes
+    std::map<std::string, BuiltKernel> built_;       ///< by kernel and options
+    std::map<std::string, Validation> validations_;  ///< by `Job::image_key`
+    std::map<std::string, PassCutter> cutters_;      ///< by `Job::key`
+    std::map<std::string, double>
+        ns_per_sample_;  ///< by `Job::key`: device time, from the first small render
 };
 
 }  // namespace ptb

@@ -1,19 +1,19 @@
 #include "core/integrator/pt.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "core/integrator/camera.h"
+#include "core/integrator/pt_film.h"
 #include "core/integrator/pt_scene.h"
+#include "core/integrator/variant_support.h"
+#include "core/render/launcher.h"
 
 namespace ptb {
 
 namespace {
-
-/// Of the kernel that adds tallies to the film. Fixed, since PoCL compiles once a size; every device
-/// allows 32.
-constexpr int add_work_group = 32;
 
 std::uint64_t divide_up(std::uint64_t n, std::uint64_t d) { return (n + d - 1) / d; }
 
@@ -49,10 +49,24 @@ Shape shape_of(const ocl::Device& device, const Scene& scene, const RenderJob& j
     return shape;
 }
 
+/// Cuts a pixel into columns and rows of equal cells, as near to squares as its samples allow: one sample a
+/// cell.
+void stratify(PtLaunch& launch, std::uint32_t spp) {
+    auto columns = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(spp)));
+    while (spp % columns != 0) --columns;
+    launch.strata_columns = columns;
+    launch.stratum_width = 1.0f / static_cast<float>(columns);
+    launch.stratum_height = 1.0f / static_cast<float>(spp / columns);
+}
+
 class PtRender : public Render {
   public:
     PtRender(const ocl::Device& device, const ocl::Program& program, const Scene& scene, const RenderJob& job)
-        : device_(device), job_(job), shape_(shape_of(device, scene, job)), pixels_(job.size.pixels()) {
+        : device_(device),
+          job_(job),
+          shape_(shape_of(device, scene, job)),
+          pixels_(job.size.pixels()),
+          launcher_(device, job.variant) {
         runs_ = static_cast<std::uint32_t>(
             divide_up(static_cast<std::uint64_t>(job.spp), shape_.samples_per_unit));
         shape_.max_units = std::min<std::uint64_t>(shape_.max_units, pixels_ * runs_);
@@ -68,12 +82,13 @@ class PtRender : public Render {
         launch_.camera_side = pt_scene.camera_sides.front();
         launch_.opaque_spheres = pt_scene.opaque;
         launch_.two_sided_spheres = pt_scene.two_sided;
+        stratify(launch_, launch_.spp);
         ocl::checked("pt buffers", device_.info.name, [&] {
             render_ = cl::Kernel(program.program, "pt_render");
-            add_ = cl::Kernel(program.program, "pt_add");
-            film_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, pixels_ * sizeof(PtTally));
+            film_ = make_pt_film(device_, program.program, job.size, job.variant.film_memory);
             tallies_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, shape_.max_units * sizeof(PtTally));
-            queue_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, sizeof(std::uint32_t));
+            counters_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE,
+                                   slices_of(shape_.max_units) * sizeof(std::uint32_t));
             spheres_ = upload(pt_scene.spheres);
             surfaces_ = upload(pt_scene.surfaces);
             sides_ = upload(pt_scene.camera_sides);
@@ -84,8 +99,8 @@ class PtRender : public Render {
 
     void restart() override {
         ocl::checked("pt restart", device_.info.name, [&] {
-            device_.queue.enqueueFillBuffer(film_, 0u, 0, pixels_ * sizeof(PtTally));
-            device_.queue.finish();
+            film_->clear(launcher_.queue());
+            launcher_.queue().finish();
         });
         pixel_ = run_ = 0;
     }
@@ -100,39 +115,23 @@ class PtRender : public Render {
 
     std::vector<LaunchTimes> advance(std::uint64_t samples) override {
         plan_launch(std::clamp<std::uint64_t>(samples / shape_.samples_per_unit, 1, shape_.max_units));
-        const std::uint64_t lanes = static_cast<std::uint64_t>(job_.lanes);
-        const std::uint64_t needed = launch_.units / shape_.units_per_lane + 1;
-        const std::uint64_t wanted = std::min<std::uint64_t>(items(), launch_.units / lanes + 1);
-        const Ranges ranges = one_dimensional(std::max(needed, wanted), job_.work_group_x);
-        std::vector<cl::Event> events(2);
-        ocl::checked("pt_render, " + describe(ranges), device_.info.name, [&] {
-            device_.queue.enqueueFillBuffer(queue_, 0u, 0, sizeof(std::uint32_t));
-            render_.setArg(0, tallies_);
-            render_.setArg(1, queue_);
-            render_.setArg(2, spheres_);
-            render_.setArg(3, surfaces_);
-            render_.setArg(4, sides_);
-            render_.setArg(5, few_);
-            render_.setArg(6, launch_);
-            device_.queue.enqueueNDRangeKernel(render_, cl::NullRange, ranges.global, ranges.local, nullptr,
-                                               &events[0]);
-            add_.setArg(0, film_);
-            add_.setArg(1, tallies_);
-            add_.setArg(2, launch_);
-            const Ranges pixels = one_dimensional(launch_.pixels, add_work_group);
-            device_.queue.enqueueNDRangeKernel(add_, cl::NullRange, pixels.global, pixels.local, nullptr,
-                                               &events[1]);
-            device_.queue.finish();
+        const std::uint64_t slices = slices_of(launch_.units);
+        const Ranges ranges = ranges_of(launch_.units / slices);
+        const auto times = ocl::checked("pt_render, " + describe(ranges), device_.info.name, [&] {
+            launcher_.queue().enqueueFillBuffer(counters_, 0u, 0, slices * sizeof(std::uint32_t));
+            launcher_.barrier();
+            for (std::uint64_t i = 0; i < slices; ++i) launch_slice(i, slices);
+            launcher_.barrier();
+            film_->add(launcher_, tallies_, launch_);
+            return launcher_.finish();
         });
         step_on();
-        return times_of(events, device_);
+        return times;
     }
 
     Film read_film() override {
-        std::vector<PtTally> tallies(pixels_);
-        ocl::checked("pt film", device_.info.name, [&] {
-            device_.queue.enqueueReadBuffer(film_, CL_TRUE, 0, pixels_ * sizeof(PtTally), tallies.data());
-        });
+        const std::vector<PtTally> tallies =
+            ocl::checked("pt film", device_.info.name, [&] { return film_->read(launcher_.queue()); });
         Film film;
         film.mean = {job_.size, std::vector<float>(pixels_ * 3)};
         film.variance = film.mean;
@@ -149,7 +148,7 @@ class PtRender : public Render {
 
     ocl::KernelFacts facts() const override { return kernel_facts(device_, render_); }
     std::uint64_t device_bytes() const override {
-        return (pixels_ + shape_.max_units) * sizeof(PtTally) +
+        return film_->bytes() + shape_.max_units * sizeof(PtTally) +
                scene_bytes(launch_.opaque_spheres + launch_.two_sided_spheres);
     }
 
@@ -170,6 +169,37 @@ class PtRender : public Render {
             mean[c] = static_cast<float>(m);
             variance[c] = n > 1 ? static_cast<float>(std::max(squares[c] - n * m * m, 0.0) / (n - 1)) : 0.0f;
         }
+    }
+
+    /// Parts of a pass that are launched for themselves. A task may hold no more units than a work-item may
+    /// take.
+    std::uint64_t slices_of(std::uint64_t units) const {
+        const auto lanes = static_cast<std::uint64_t>(job_.lanes);
+        const std::uint64_t slices = launcher_.slices(divide_up(units, lanes));
+        if (job_.variant.dispatch == Dispatch::ndrange) return slices;
+        return std::max(slices, divide_up(units, shape_.units_per_lane * lanes));
+    }
+
+    Ranges ranges_of(std::uint64_t units) const {
+        const std::uint64_t needed = units / shape_.units_per_lane + 1;
+        const std::uint64_t wanted =
+            std::min<std::uint64_t>(items(), units / static_cast<std::uint64_t>(job_.lanes) + 1);
+        return launcher_.ranges(std::max(needed, wanted), job_.work_group_x);
+    }
+
+    void launch_slice(std::uint64_t slice, std::uint64_t slices) {
+        PtLaunch part = launch_;
+        part.slice = static_cast<std::uint32_t>(slice);
+        part.first_unit = static_cast<std::uint32_t>(launch_.units * slice / slices);
+        part.units = static_cast<std::uint32_t>(launch_.units * (slice + 1) / slices);
+        render_.setArg(0, tallies_);
+        render_.setArg(1, counters_);
+        render_.setArg(2, spheres_);
+        render_.setArg(3, surfaces_);
+        render_.setArg(4, sides_);
+        render_.setArg(5, few_);
+        render_.setArg(6, part);
+        launcher_.launch(render_, ranges_of(part.units - part.first_unit));
     }
 
     /// At least four work-groups a compute unit: one that is alone keeps the others idle.
@@ -201,8 +231,10 @@ class PtRender : public Render {
     std::uint64_t pixel_ = 0;  ///< first pixel of the next launch
     std::uint32_t run_ = 0;    ///< its run of samples
     std::uint32_t runs_ = 0;
-    cl::Kernel render_, add_;
-    cl::Buffer film_, tallies_, queue_, spheres_, surfaces_, sides_;
+    Launcher launcher_;
+    cl::Kernel render_;
+    std::unique_ptr<PtFilm> film_;
+    cl::Buffer tallies_, counters_, spheres_, surfaces_, sides_;
     PtFewSpheres few_{};
     PtLaunch launch_{};
 };
@@ -213,17 +245,76 @@ bool glows(const Scene& scene) {
                        [](const Material& m) { return m.scatters && dot(m.radiance, m.radiance) > 0; });
 }
 
-std::string options(const ocl::Device& device, const Scene& scene, int lanes) {
+bool is_few(const Scene& scene) { return scene.spheres.size() <= PT_FEW_MOST; }
+
+/// Where spheres and surfaces lie: PT_IN_...
+struct Places {
+    int spheres, surfaces;
+};
+
+Places places_of(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+    switch (job.variant.scene_memory) {
+        case SceneMemory::constant:
+            return {PT_IN_CONSTANT, PT_IN_CONSTANT};
+        case SceneMemory::global:
+            return {PT_IN_GLOBAL, PT_IN_GLOBAL};
+        case SceneMemory::local:
+            return {PT_IN_LOCAL, PT_IN_LOCAL};
+        case SceneMemory::private_memory:
+            return {PT_IN_PRIVATE, PT_IN_PRIVATE};
+        case SceneMemory::automatic:
+        case SceneMemory::argument:
+            break;
+    }
+    if (is_few(scene))
+        return {PT_IN_ARGUMENT, is_gpu(device) && job.lanes == 1 ? PT_IN_LOCAL : PT_IN_CONSTANT};
+    const bool fits = scene_bytes(scene.spheres.size()) <= device.info.constant_bytes;
+    return fits ? Places{PT_IN_CONSTANT, PT_IN_CONSTANT} : Places{PT_IN_GLOBAL, PT_IN_GLOBAL};
+}
+
+std::string memory_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+    const std::uint64_t bytes = scene_bytes(scene.spheres.size());
+    const auto refused = [&](const std::string& memory, std::uint64_t limit) {
+        return fmt::format("scene_memory {}: {} spheres take {} bytes, this device has {}", memory,
+                           scene.spheres.size(), bytes, limit);
+    };
+    const SceneMemory memory = job.variant.scene_memory;
+    if (memory == SceneMemory::constant && bytes > device.info.constant_bytes)
+        return refused("constant", device.info.constant_bytes);
+    if (memory == SceneMemory::local && bytes > device.info.local_bytes)
+        return refused("local", device.info.local_bytes);
+    const bool by_value = memory == SceneMemory::argument || memory == SceneMemory::private_memory;
+    if (by_value && !is_few(scene))
+        return fmt::format("scene_memory {}: pt takes at most {} spheres so, this scene has {}",
+                           memory == SceneMemory::argument ? "argument" : "private", PT_FEW_MOST,
+                           scene.spheres.size());
+    return "";
+}
+
+std::string refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+    for (const std::string& reason :
+         {memory_refusal(device, scene, job), pt_film_refusal(device, job.size, job.variant.film_memory)})
+        if (!reason.empty()) return reason;
+    return "";
+}
+
+std::string options(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     const PtScene pt_scene = make_pt_scene(scene);
-    const std::size_t bytes = pt_scene.surfaces.size() * (sizeof(PtSurface) + sizeof(PtSphere));
-    const bool few = pt_scene.spheres.size() <= PT_FEW_MOST;
-    std::string text =
-        fmt::format("-cl-std=CL1.2 -DPTB_LANES={} -DPT_SIDE_WORDS={}", lanes, pt_scene.camera_sides.size());
-    if (bytes > device.info.constant_bytes) text += " -DPT_SCENE_SPACE=__global";
-    if (few) text += fmt::format(" -DPT_FEW={} -DPT_OPAQUE={}", pt_scene.spheres.size(), pt_scene.opaque);
+    const Places places = places_of(device, scene, job);
+    const bool lone_on_gpu = is_gpu(device) && job.lanes == 1;
+    std::string text = common_options(device, job);
+    text += fmt::format(" -DPTB_LANES={} -DPT_SIDE_WORDS={}", job.lanes, pt_scene.camera_sides.size());
+    text += fmt::format(" -DPT_SPHERES={} -DPT_SURFACES={}", places.spheres, places.surfaces);
+    if (places.spheres == PT_IN_LOCAL) text += fmt::format(" -DPT_COUNT={}", pt_scene.spheres.size());
+    if (is_few(scene))
+        text += fmt::format(" -DPT_FEW={} -DPT_OPAQUE={}", pt_scene.spheres.size(), pt_scene.opaque);
     if (glows(scene)) text += " -DPT_GLOWS";
-    if (is_gpu(device) && lanes == 1) text += " -DPT_BATCH=6";
-    if (is_gpu(device) && lanes == 1 && few) text += " -DPT_CARRIED -DPT_LOCAL_SURFACES";
+    if (lone_on_gpu) text += " -DPT_BATCH=6";
+    if (lone_on_gpu && is_few(scene)) text += " -DPT_CARRIED";
+    if (job.variant.pixel_filter != PixelFilter::jitter)
+        text += fmt::format(" -DPT_FILTER={}",
+                            job.variant.pixel_filter == PixelFilter::centre ? PT_CENTRE : PT_STRATIFIED);
+    if (job.variant.rng == Rng::park_miller) text += " -DPTB_PARK_MILLER";
     return text;
 }
 
@@ -231,9 +322,10 @@ Integrator::Memory memory(const ocl::Device& device, const Scene& scene, const R
     const Shape shape = shape_of(device, scene, job);
     const std::uint64_t units =
         job.size.pixels() * divide_up(static_cast<std::uint64_t>(job.spp), shape.samples_per_unit);
-    const std::uint64_t film = job.size.pixels() * sizeof(PtTally);
+    const std::uint64_t film = pt_film_bytes(job.size, job.variant.film_memory);
     const std::uint64_t tallies = std::min(shape.max_units, units) * sizeof(PtTally);
-    return {film + tallies + scene_bytes(scene.spheres.size()), std::max(film, tallies)};
+    return {film + tallies + scene_bytes(scene.spheres.size()),
+            std::max(pt_film_largest(job.size, job.variant.film_memory), tallies)};
 }
 
 std::unique_ptr<Render> make(const ocl::Device& device, const ocl::Program& program, const Scene& scene,
@@ -247,8 +339,8 @@ Integrator pt_integrator() {
     return {"pt",       "physically right path tracer: no next-event estimation, no roulette",
             "pt/pt.cl", {1, 4, 8, 16, 32},
             false,      true,
-            options,    memory,
-            make};
+            options,    refusal,
+            memory,     make};
 }
 
 }  // namespace ptb

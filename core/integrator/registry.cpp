@@ -8,6 +8,7 @@
 
 #include "core/integrator/pt.h"
 #include "core/integrator/thesis.h"
+#include "core/integrator/variant_support.h"
 
 namespace ptb {
 
@@ -69,8 +70,11 @@ std::string unsupported_reason(const Integrator& integrator, const ocl::Device& 
     if (paths_per_item(device, scene, job.path_length) == 0)
         return fmt::format("path_length {} with {} spheres: this device drops what loops do after {} turns",
                            job.path_length, scene.spheres.size(), ocl::loop_limit(device.info));
-    const std::string reason = work_group_reason(integrator, device.info, job);
-    return reason.empty() ? memory_reason(integrator, device, scene, job) : reason;
+    for (const std::string& reason :
+         {work_group_reason(integrator, device.info, job), launch_refusal(device, job),
+          integrator.refusal(device, scene, job), memory_reason(integrator, device, scene, job)})
+        if (!reason.empty()) return reason;
+    return "";
 }
 
 }  // namespace ptb

@@ -16,8 +16,10 @@ struct Integrator {
     std::vector<int> lanes;   ///< lane widths it can be built for
     bool two_dimensional;     ///< its work units are pixels, so a 2-D work-group means something
     bool counts_full_length;  ///< its film counts samples and full-length paths
-    /// Build options for a scene and lane width on a device.
-    std::string (*options)(const ocl::Device& device, const Scene& scene, int lanes);
+    /// Build options for a job.
+    std::string (*options)(const ocl::Device& device, const Scene& scene, const RenderJob& job);
+    /// Why it does not do a job of this variant, which the device may be able to do, or nothing.
+    std::string (*refusal)(const ocl::Device& device, const Scene& scene, const RenderJob& job);
     /// Device memory that `make` will ask for, and the largest single buffer, in bytes.
     struct Memory {
         std::uint64_t total = 0, largest = 0;

@@ -4,6 +4,8 @@
 #include <bit>
 
 #include "core/integrator/camera.h"
+#include "core/integrator/variant_support.h"
+#include "core/render/launcher.h"
 #include "shared/thesis.h"
 
 namespace ptb {
@@ -48,7 +50,8 @@ class ThesisRender : public Render {
         : device_(device),
           job_(job),
           pixels_(job.size.pixels()),
-          samples_per_launch_(paths_per_item(device, scene, job.path_length)) {
+          samples_per_launch_(paths_per_item(device, scene, job.path_length)),
+          launcher_(device, job.variant) {
         ocl::checked("thesis buffers", device_.info.name, [&] {
             kernel_ = cl::Kernel(program.program, "thesis_render");
             std::vector<ThesisSphere> spheres = device_spheres(scene);
@@ -69,10 +72,11 @@ class ThesisRender : public Render {
         std::vector<std::int32_t> states(pixels_);
         for (std::size_t i = 0; i < pixels_; ++i) states[i] = start_state(i, job_.seed);
         ocl::checked("thesis restart", device_.info.name, [&] {
-            device_.queue.enqueueFillBuffer(result_, ptb_float4{0, 0, 0, 0}, 0, pixels_ * sizeof(ptb_float4));
-            device_.queue.enqueueWriteBuffer(states_, CL_TRUE, 0, pixels_ * sizeof(std::int32_t),
-                                             states.data());
-            device_.queue.finish();
+            launcher_.queue().enqueueFillBuffer(result_, ptb_float4{0, 0, 0, 0}, 0,
+                                                pixels_ * sizeof(ptb_float4));
+            launcher_.queue().enqueueWriteBuffer(states_, CL_TRUE, 0, pixels_ * sizeof(std::int32_t),
+                                                 states.data());
+            launcher_.queue().finish();
         });
         done_ = 0;
     }
@@ -83,29 +87,23 @@ class ThesisRender : public Render {
 
     std::vector<LaunchTimes> advance(std::uint64_t samples) override {
         plan_launch(samples);
-        const Ranges ranges =
-            job_.work_group_y == 0
-                ? one_dimensional(launch_.pixels, job_.work_group_x)
-                : two_dimensional(job_.size.width, static_cast<int>(launch_.pixels / launch_.width),
-                                  job_.work_group_x, job_.work_group_y);
-        cl::Event event;
-        ocl::checked("thesis_render, " + describe(ranges), device_.info.name, [&] {
-            kernel_.setArg(0, result_);
-            kernel_.setArg(1, states_);
-            kernel_.setArg(2, spheres_);
-            kernel_.setArg(3, launch_);
-            device_.queue.enqueueNDRangeKernel(kernel_, cl::NullRange, ranges.global, ranges.local, nullptr,
-                                               &event);
-            device_.queue.finish();
-        });
+        const std::uint64_t rows_or_pixels = launch_.pixels / piece();
+        const std::uint64_t slices = tasks() ? rows_or_pixels : launcher_.slices(rows_or_pixels);
+        const auto times =
+            ocl::checked("thesis_render, " + describe(ranges_of(launch_)), device_.info.name, [&] {
+                for (std::uint64_t i = 0; i < slices; ++i)
+                    launch_slice(rows_or_pixels * i / slices, rows_or_pixels * (i + 1) / slices);
+                return launcher_.finish();
+            });
         done_ += static_cast<std::uint64_t>(launch_.pixels) * launch_.samples;
-        return times_of({event}, device_);
+        return times;
     }
 
     Film read_film() override {
         std::vector<ptb_float4> result(pixels_);
         ocl::checked("thesis film", device_.info.name, [&] {
-            device_.queue.enqueueReadBuffer(result_, CL_TRUE, 0, pixels_ * sizeof(ptb_float4), result.data());
+            launcher_.queue().enqueueReadBuffer(result_, CL_TRUE, 0, pixels_ * sizeof(ptb_float4),
+                                                result.data());
         });
         Film film;
         film.mean = {job_.size, {}};
@@ -126,13 +124,37 @@ class ThesisRender : public Render {
     }
 
   private:
+    static constexpr std::uint64_t most_tasks = 1u << 16;  ///< of a pass: each has an event
+
+    bool tasks() const { return job_.variant.dispatch == Dispatch::tasks; }
+    /// Pixels that one launch does not part: of a two-dimensional range a row.
+    std::uint64_t piece() const { return job_.work_group_y == 0 ? 1 : launch_.width; }
+
+    Ranges ranges_of(const ThesisLaunch& launch) const {
+        if (job_.work_group_y == 0) return launcher_.ranges(launch.pixels, job_.work_group_x);
+        return two_dimensional(job_.size.width, static_cast<int>(launch.pixels / launch.width),
+                               job_.work_group_x, job_.work_group_y);
+    }
+
+    void launch_slice(std::uint64_t first, std::uint64_t end) {
+        ThesisLaunch part = launch_;
+        part.first_pixel = static_cast<std::uint32_t>(launch_.first_pixel + first * piece());
+        part.pixels = static_cast<std::uint32_t>((end - first) * piece());
+        kernel_.setArg(0, result_);
+        kernel_.setArg(1, states_);
+        kernel_.setArg(2, spheres_);
+        kernel_.setArg(3, part);
+        launcher_.launch(kernel_, ranges_of(part));
+    }
+
     /// Whole images while the budget holds one, else a band: a power of two of rows, or of pixels where a row
     /// is too much (one dimension only). So ranges come in few sizes, and a runtime that chooses the
     /// work-group by the range, or compiles for it, does so seldom. A pixel's samples stay in order, so the
     /// cut changes nothing.
     void plan_launch(std::uint64_t samples) {
         const std::uint64_t at = done_ % pixels_;
-        const bool whole = at == 0 && samples >= pixels_;
+        const bool whole = at == 0 && samples >= pixels_ && !(tasks() && pixels_ > most_tasks);
+        if (tasks()) samples = std::min(samples, whole ? samples : most_tasks);
         launch_.first_pixel = static_cast<std::uint32_t>(at);
         launch_.pixels = static_cast<std::uint32_t>(whole ? pixels_ : band(std::min(samples, pixels_ - at)));
         launch_.samples = 1;
@@ -158,12 +180,25 @@ class ThesisRender : public Render {
     RenderJob job_;
     std::uint64_t pixels_, samples_per_launch_;
     std::uint64_t done_ = 0;
+    Launcher launcher_;
     cl::Kernel kernel_;
     cl::Buffer result_, states_, spheres_;
     ThesisLaunch launch_{};
 };
 
-std::string options(const ocl::Device&, const Scene&, int) { return "-cl-std=CL1.2"; }
+std::string options(const ocl::Device& device, const Scene&, const RenderJob& job) {
+    return common_options(device, job);
+}
+
+std::string refusal(const ocl::Device&, const Scene&, const RenderJob& job) {
+    for (const auto& [axis, has] : {std::pair("scene_memory", std::vector<std::string>{"auto", "global"}),
+                                    std::pair("film_memory", std::vector<std::string>{"buffer"}),
+                                    std::pair("pixel_filter", std::vector<std::string>{"jitter"}),
+                                    std::pair("rng", std::vector<std::string>{"auto", "park_miller"})})
+        if (const std::string reason = choice_refusal("thesis", axis, job.variant, has); !reason.empty())
+            return reason;
+    return "";
+}
 
 Integrator::Memory memory(const ocl::Device&, const Scene& scene, const RenderJob& job) {
     const std::uint64_t film = job.size.pixels() * sizeof(ptb_float4);
@@ -186,6 +221,7 @@ Integrator thesis_integrator() {
             true,
             false,
             options,
+            refusal,
             memory,
             make};
 }

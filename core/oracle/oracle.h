@@ -24,6 +24,7 @@ struct OracleJob {
     int path_length = 128;
     std::uint64_t seed = 1;
     int threads = 1;
+    bool pixel_centres = false;                 ///< every sample goes through the middle of its pixel
     std::function<void(int rows_done)> on_row;  ///< progress, or empty; from any thread, one call at a time
 };
 

@@ -162,8 +162,8 @@ OracleResult trace_pt(const Scene& scene, const OracleJob& job) {
         SplitMix64 random(pixel_seed(job.seed, pixel));
         PixelTally tally;
         for (int i = 0; i < job.spp; ++i) {
-            const double u = (x + random.uniform()) / job.size.width;
-            const double v = (y + random.uniform()) / job.size.height;
+            const double u = (x + (job.pixel_centres ? 0.5 : random.uniform())) / job.size.width;
+            const double v = (y + (job.pixel_centres ? 0.5 : random.uniform())) / job.size.height;
             const Ray ray = {scene.camera.position, normalized(camera.toward(u, v))};
             tally.add(Path(scene, around_camera, ray, random).trace(job.path_length), job.path_length);
         }

@@ -7,11 +7,13 @@
 
 #include "core/image/image.h"
 #include "core/ocl/program.h"
+#include "core/render/variant.h"
 #include "core/scene/scene.h"
 
 namespace ptb {
 
-/// What to render, and how to launch it. The image depends on everything but the work-group.
+/// What to render, and how to launch it. The image depends on everything but the launch: work-group, and what
+/// `of_image` leaves out of the variant.
 struct RenderJob {
     Size size;
     int spp = 1;
@@ -19,6 +21,7 @@ struct RenderJob {
     std::uint32_t seed = 1;
     int lanes = 1;
     int work_group_x = 0, work_group_y = 0;  ///< x == 0: implicit; y == 0: one-dimensional
+    Variant variant{};
 };
 
 /// The four timestamps of one launch's event, nanoseconds of the device's clock.

@@ -93,6 +93,7 @@ static inline lanes_f lanes_abs(lanes_f a) { return lanes_as_f(lanes_as_u(a) & 0
 static inline lanes_f lanes_min(lanes_f a, lanes_f b) { return lanes_select(b, a, a < b); }
 static inline lanes_f lanes_max(lanes_f a, lanes_f b) { return lanes_select(b, a, a > b); }
 static inline lanes_u lanes_min_u(lanes_u a, lanes_u b) { return lanes_select_u(b, a, a < b); }
+static inline lanes_u lanes_max_u(lanes_u a, lanes_u b) { return lanes_select_u(b, a, a > b); }
 
 /* n / d for n below 2^31 and quotients below 2^22. SIMD has no such division, so a product that is off by one at most,
    put right. */

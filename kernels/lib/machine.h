@@ -3,6 +3,14 @@
 #ifndef PTB_LIB_MACHINE_H
 #define PTB_LIB_MACHINE_H
 
+#include "lib/strict.h"
+
+/* Vectors wider than the machine's registers are passed between functions in another way than on machines that have such
+   registers: of no concern where all functions are inlined or take none. */
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Wpsabi"
+#endif
+
 #if !defined(PTB_PORTABLE) && defined(__has_builtin)
 #define PTB_HAS(builtin) __has_builtin(builtin)
 #else

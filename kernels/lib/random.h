@@ -8,8 +8,20 @@
 #include "lib/lanes.h"
 
 typedef struct Random {
-    lanes_u a, b;
+    lanes_u a, b; /* Park and Miller's generator has one word; the compiler drops the other */
 } Random;
+
+static inline Random random_none(void) {
+    Random random;
+    random.a = random.b = (lanes_u)(0u);
+    return random;
+}
+static inline Random random_select(Random if_false, Random if_true, lanes_mask mask) {
+    Random random;
+    random.a = lanes_select_u(if_false.a, if_true.a, mask);
+    random.b = lanes_select_u(if_false.b, if_true.b, mask);
+    return random;
+}
 
 /* A bijection of 32 bits whose every output bit depends on every input bit (xor-shift-multiply; the constants are
    those of C. Wellons' search for the least biased one). */
@@ -21,6 +33,9 @@ static inline lanes_u random_mix(lanes_u x) {
     return x ^ (x >> 16);
 }
 
+/* -DPTB_PARK_MILLER: see "Random Number Generators: Good Ones Are Hard to Find", by S. Park and K. Miller. */
+#define PARK_MILLER_MODULUS 0x7fffffffu
+
 /* Two rounds would leave one half a function of 32 bits; three make the pair a bijection of (pixel, sample), so no
    two paths of an image start alike. */
 static inline lanes_u random_of_pixel(lanes_u pixel, uint seed) { return random_mix(pixel + seed * 0x9e3779b9u); }
@@ -28,11 +43,33 @@ static inline Random random_of_path(lanes_u of_pixel, lanes_u sample) {
     Random random;
     random.b = random_mix(sample + of_pixel);
     random.a = random_mix(of_pixel ^ random.b);
+#ifdef PTB_PARK_MILLER
+    random.a = lanes_max_u(lanes_min_u(random.a >> 1, (lanes_u)(PARK_MILLER_MODULUS - 1u)), (lanes_u)(1u));
+    random.b = (lanes_u)(0u);
+#endif
     return random;
 }
 
 /* A float in [1, 2) of a word's upper bits: no conversion, and most users can do without the subtraction of 1. */
 static inline lanes_f random_float(lanes_u word) { return lanes_as_f((word >> 9) | 0x3f800000u); }
+
+#ifdef PTB_PARK_MILLER
+
+/* 16807 a modulo 2^31 - 1, of which 46 bits of product are folded once. Like the thesis', but seeded for each path. */
+static inline lanes_u park_miller(lanes_u a) {
+    const lanes_u low = (a & 0xffffu) * 16807u;
+    const lanes_u high = (a >> 16) * 16807u + (low >> 16);
+    const lanes_u sum = (((high & 0x7fffu) << 16) | (low & 0xffffu)) + (high >> 15);
+    return lanes_min_u(sum, sum - PARK_MILLER_MODULUS);
+}
+static inline void random_next_two(Random* random, lanes_f* u, lanes_f* v) {
+    random->a = park_miller(random->a);
+    *u = random_float(random->a << 1);
+    random->a = park_miller(random->a);
+    *v = random_float(random->a << 1);
+}
+
+#else
 
 /* The next two numbers, uniform in [1, 2), multiples of 2^-23: one step of the state serves both, each of its words
    scrambled by a product of its own. */
@@ -43,5 +80,7 @@ static inline void random_next_two(Random* random, lanes_f* u, lanes_f* v) {
     random->a = ((random->a << 26) | (random->a >> 6)) ^ mixed ^ (mixed << 9);
     random->b = (mixed << 13) | (mixed >> 19);
 }
+
+#endif
 
 #endif

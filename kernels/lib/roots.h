@@ -4,6 +4,12 @@
 
 #include "lib/lanes.h"
 
+#ifdef PTB_STRICT
+#define SQRT sqrt
+#else
+#define SQRT native_sqrt
+#endif
+
 /* NaN for negative numbers; a denormal one may count as zero. */
 static inline lanes_f lanes_sqrt(lanes_f x) {
 #if PTB_PTX
@@ -12,9 +18,9 @@ static inline lanes_f lanes_sqrt(lanes_f x) {
     __asm__("sqrt.approx.ftz.f32 %0, %1;" : "=f"(root) : "f"(x));
     return root;
 #elif PTB_LANES == 32
-    return (lanes_f)(native_sqrt(x.lo), native_sqrt(x.hi));
+    return (lanes_f)(SQRT(x.lo), SQRT(x.hi));
 #else
-    return native_sqrt(x);
+    return SQRT(x);
 #endif
 }
 

@@ -16,7 +16,9 @@
     F(PtLaunch, first_run) F(PtLaunch, units) F(PtLaunch, samples_per_unit) F(PtLaunch, spp)          \
     F(PtLaunch, path_length) F(PtLaunch, seed) F(PtLaunch, opaque_spheres)                            \
     F(PtLaunch, two_sided_spheres) F(PtLaunch, units_per_lane) F(PtLaunch, camera_side)               \
-    F(PtLaunch, distance_mask) F(PtLaunch, padding)                                                   \
+    F(PtLaunch, distance_mask) F(PtLaunch, first_unit) F(PtLaunch, slice)                             \
+    F(PtLaunch, strata_columns) F(PtLaunch, stratum_width) F(PtLaunch, stratum_height)                \
+    F(PtLaunch, padding)                                                                              \
     S(PtTally) F(PtTally, radiance) F(PtTally, squares) F(PtTally, samples) F(PtTally, segments)      \
     F(PtTally, full_length_paths) F(PtTally, padding)                                                 \
     S(ThesisMaterial) F(ThesisMaterial, colour) F(ThesisMaterial, radiance) F(ThesisMaterial, type)   \

@@ -6,8 +6,8 @@
 #include "pt/unit.h"
 
 /* PoCL stores every variable of a kernel's loop to memory at each turn, but not those of a function that it may not
-   inline: 10.3 -> 11.7 Msamples/s (two AVX-512 cores). */
-#if PTB_LANES > 1
+   inline: 10.3 -> 11.7 Msamples/s (two AVX-512 cores). One that reads local memory it compiles to a crash (PoCL 3.1). */
+#if PTB_LANES > 1 && PT_SPHERES != PT_IN_LOCAL && PT_SURFACES != PT_IN_LOCAL
 #define PT_OUTLINE static __attribute__((noinline))
 #else
 #define PT_OUTLINE static inline
@@ -75,32 +75,43 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
     }
 }
 
-__kernel void pt_render(__global PtTally* tallies, __global uint* queue, PT_SCENE_SPACE const PtSphere* spheres,
-                        PT_SCENE_SPACE const PtSurface* surfaces, __global const uint* camera_sides,
+/* Where the scene is read from a copy: one a work-group, or one a work-item. */
+#if PT_SPHERES == PT_IN_LOCAL || PT_SURFACES == PT_IN_LOCAL
+#define PT_COPY_FIRST (uint)get_local_id(0)
+#define PT_COPY_STEP (uint)get_local_size(0)
+#else
+#define PT_COPY_FIRST 0u
+#define PT_COPY_STEP 1u
+#endif
+
+__kernel void pt_render(__global PtTally* tallies, __global uint* queues, PT_SPHERE_BUFFER const PtSphere* spheres,
+                        PT_SURFACE_BUFFER const PtSurface* surfaces, __global const uint* camera_sides,
                         const PtFewSpheres few, const PtLaunch launch) {
-#ifdef PT_FEW
+#if PT_SPHERES == PT_IN_ARGUMENT
     PT_SPHERE_SPACE const PtSphere* all = few.sphere;
     (void)spheres;
+#elif PT_SPHERES == PT_IN_LOCAL || PT_SPHERES == PT_IN_PRIVATE
+    PT_SPHERE_SPACE PtSphere all[PT_COUNT];
+    for (uint i = PT_COPY_FIRST; i < PT_COUNT; i += PT_COPY_STEP) all[i] = spheres[i];
 #else
     PT_SPHERE_SPACE const PtSphere* all = spheres;
 #endif
-    const Start start = {camera_sides, few.camera_gap};
-#ifdef PT_LOCAL_SURFACES
-    __local PtSurface rows[PT_FEW + 1];
-    for (uint i = (uint)get_local_id(0); i <= PT_FEW; i += (uint)get_local_size(0)) rows[i] = surfaces[i];
-    barrier(CLK_LOCAL_MEM_FENCE);
+#if PT_SURFACES == PT_IN_LOCAL || PT_SURFACES == PT_IN_PRIVATE
+    PT_SURFACE_SPACE PtSurface rows[PT_COUNT + 1];
+    for (uint i = PT_COPY_FIRST; i <= PT_COUNT; i += PT_COPY_STEP) rows[i] = surfaces[i];
 #else
-    PT_SCENE_SPACE const PtSurface* rows = surfaces;
+    PT_SURFACE_SPACE const PtSurface* rows = surfaces;
 #endif
-    trace_units(tallies, queue, all, rows, start, launch);
+#if PT_SPHERES == PT_IN_LOCAL || PT_SURFACES == PT_IN_LOCAL
+    barrier(CLK_LOCAL_MEM_FENCE);
+#endif
+    const Start start = {camera_sides, few.camera_gap};
+    trace_units(tallies, queues + launch.slice, all, rows, start, launch);
 }
 
-/* Adds the tallies of one launch to the film, a pixel a work-item, in the order of the units. */
-__kernel void pt_add(__global PtTally* film, __global const PtTally* tallies, const PtLaunch launch) {
-    const uint pixel = (uint)get_global_id(0);
-    if (pixel >= launch.pixels) return;
-    PtTally sum = film[launch.first_pixel + pixel];
-    for (uint unit = pixel; unit < launch.units; unit += launch.pixels) {
+/* A pixel's sums so far, and the tallies of one launch in the order of the units. */
+static inline PtTally add_tallies(PtTally sum, __global const PtTally* tallies, uint pixel, const PtLaunch* launch) {
+    for (uint unit = pixel; unit < launch->units; unit += launch->pixels) {
         const PtTally tally = tallies[unit];
         sum.radiance += tally.radiance;
         sum.squares += tally.squares;
@@ -108,5 +119,38 @@ __kernel void pt_add(__global PtTally* film, __global const PtTally* tallies, co
         sum.segments += tally.segments;
         sum.full_length_paths += tally.full_length_paths;
     }
-    film[launch.first_pixel + pixel] = sum;
+    return sum;
 }
+
+/* Adds the tallies of one launch to the film, a pixel a work-item. */
+__kernel void pt_add(__global PtTally* film, __global const PtTally* tallies, const PtLaunch launch) {
+    const uint pixel = (uint)get_global_id(0);
+    if (pixel >= launch.pixels) return;
+    film[launch.first_pixel + pixel] = add_tallies(film[launch.first_pixel + pixel], tallies, pixel, &launch);
+}
+
+#ifdef __IMAGE_SUPPORT__
+
+/* The same for a film in an image, of which the launch may have traced a part: the sums go to another image. */
+__kernel void pt_add_to_image(__read_only image2d_t film, __write_only image2d_t sums, __global const PtTally* tallies,
+                              const PtLaunch launch) {
+    const sampler_t nearest = CLK_NORMALIZED_COORDS_FALSE | CLK_ADDRESS_NONE | CLK_FILTER_NEAREST;
+    const int width = get_image_width(film), rows = get_image_height(film) / PT_FILM_LAYERS;
+    const int pixel = (int)get_global_id(0);
+    if (pixel >= width * rows) return;
+    const int2 at = (int2)(pixel % width, pixel / width), below = (int2)(0, rows);
+    const uint4 counts = read_imageui(film, nearest, at + 2 * below);
+    PtTally sum;
+    sum.radiance = as_float4(read_imageui(film, nearest, at));
+    sum.squares = as_float4(read_imageui(film, nearest, at + below));
+    sum.samples = counts.x;
+    sum.segments = counts.y;
+    sum.full_length_paths = counts.z;
+    const uint number = (uint)pixel - launch.first_pixel; /* huge for a pixel before the launch's */
+    if (number < launch.pixels) sum = add_tallies(sum, tallies, number, &launch);
+    write_imageui(sums, at, as_uint4(sum.radiance));
+    write_imageui(sums, at + below, as_uint4(sum.squares));
+    write_imageui(sums, at + 2 * below, (uint4)(sum.samples, sum.segments, sum.full_length_paths, 0u));
+}
+
+#endif

@@ -11,24 +11,48 @@
 #define PT_SIDE_WORDS 1
 #endif
 
-/* Where the surfaces lie, and the spheres when they are many: constant memory, or global memory when it is too small. */
-#ifndef PT_SCENE_SPACE
-#define PT_SCENE_SPACE __constant
+/* PT_FEW, the number of spheres if it is at most PT_FEW_MOST. They are best a kernel argument: on GPUs each number is then
+   an operand of the instruction that uses it. Surfaces are best copied to local memory there (1.02, H200). */
+#ifndef PT_SPHERES
+#ifdef PT_FEW
+#define PT_SPHERES PT_IN_ARGUMENT
+#else
+#define PT_SPHERES PT_IN_CONSTANT
+#endif
+#endif
+#ifndef PT_SURFACES
+#define PT_SURFACES PT_IN_CONSTANT
+#endif
+#ifndef PT_COUNT
+#define PT_COUNT PT_FEW
 #endif
 
-/* Where surfaces are read: GPUs gain 2 % by a copy in local memory (H200). */
-#ifdef PT_LOCAL_SURFACES
+/* Address spaces: of the buffer, and of what rays read, which may be a copy of it. */
+#if PT_SPHERES == PT_IN_CONSTANT
+#define PT_SPHERE_BUFFER __constant
+#define PT_SPHERE_SPACE __constant
+#elif PT_SPHERES == PT_IN_GLOBAL
+#define PT_SPHERE_BUFFER __global
+#define PT_SPHERE_SPACE __global
+#elif PT_SPHERES == PT_IN_LOCAL
+#define PT_SPHERE_BUFFER __global
+#define PT_SPHERE_SPACE __local
+#else
+#define PT_SPHERE_BUFFER __global
+#define PT_SPHERE_SPACE __private
+#endif
+#if PT_SURFACES == PT_IN_CONSTANT
+#define PT_SURFACE_BUFFER __constant
+#define PT_SURFACE_SPACE __constant
+#elif PT_SURFACES == PT_IN_GLOBAL
+#define PT_SURFACE_BUFFER __global
+#define PT_SURFACE_SPACE __global
+#elif PT_SURFACES == PT_IN_LOCAL
+#define PT_SURFACE_BUFFER __global
 #define PT_SURFACE_SPACE __local
 #else
-#define PT_SURFACE_SPACE PT_SCENE_SPACE
-#endif
-
-/* PT_FEW, the number of spheres if it is at most PT_FEW_MOST: they are a kernel argument, so on GPUs each number is an
-   operand of the instruction that uses it. */
-#ifdef PT_FEW
-#define PT_SPHERE_SPACE __private
-#else
-#define PT_SPHERE_SPACE PT_SCENE_SPACE
+#define PT_SURFACE_BUFFER __global
+#define PT_SURFACE_SPACE __private
 #endif
 
 typedef struct Scene {

@@ -72,7 +72,8 @@ static inline Path no_path(void) {
 #ifdef PT_GLOWS
     path.radiance = zero;
 #endif
-    path.random.a = path.random.b = path.last_turn = none;
+    path.random = random_none();
+    path.last_turn = none;
     for (uint i = 0; i < PT_SIDE_WORDS; ++i) path.inside.word[i] = none;
     return path;
 }
@@ -80,7 +81,7 @@ static inline Path no_path(void) {
 static inline Spare no_spare(void) {
     Spare spare;
     spare.direction = spare.radiance = vec_of((float4)(0.0f));
-    spare.random.a = spare.random.b = (lanes_u)(0u);
+    spare.random = random_none();
     spare.ready = lanes_none();
     return spare;
 }
@@ -91,7 +92,7 @@ static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, uint turn, v
     const lanes_mask may = wanting & (unit->taken < launch->units_per_lane);
     lanes_u number = lanes_select_u((lanes_u)(0xffffffffu), (lanes_u)(0u), may);
     for (uint lane = 0; lane < PTB_LANES; ++lane) {
-        if (LANE(number, lane) == 0u) LANE(number, lane) = atomic_inc(queue);
+        if (LANE(number, lane) == 0u) LANE(number, lane) = launch->first_unit + atomic_inc(queue);
     }
     const lanes_mask got = wanting & (number < launch->units);
     number = lanes_select_u((lanes_u)(0u), number, got);
@@ -139,19 +140,35 @@ static inline void write_units(const Unit* unit, lanes_mask finished, uint turn,
     }
 }
 
-/* Gives every lane without a spare one, while its unit has samples to start: a camera ray through a uniform point of its
-   pixel. */
+/* Where in its pixel a sample lies, in pixels from its corner; u and v are uniform in [1, 2). */
+static inline void place_sample(lanes_u sample, lanes_f u, lanes_f v, const PtLaunch* launch, lanes_f* x, lanes_f* y) {
+#if defined(PT_FILTER) && PT_FILTER == PT_CENTRE
+    (void)sample, (void)u, (void)v, (void)launch;
+    *x = *y = (lanes_f)(0.5f);
+#elif defined(PT_FILTER) && PT_FILTER == PT_STRATIFIED
+    const lanes_u row = lanes_divide(sample, launch->strata_columns);
+    const lanes_u column = sample - row * launch->strata_columns;
+    *x = (lanes_to_f(column) + (u - 1.0f)) * launch->stratum_width;
+    *y = (lanes_to_f(row) + (v - 1.0f)) * launch->stratum_height;
+#else
+    (void)sample, (void)launch;
+    *x = u - 1.0f;
+    *y = v - 1.0f;
+#endif
+}
+
+/* Gives every lane without a spare one, while its unit has samples to start: a camera ray through a point of its pixel. */
 static inline void refill(Spare* spare, Unit* unit, const PtLaunch* launch) {
     Random random = random_of_path(unit->pixel_hash, unit->sample);
     lanes_f u, v;
     random_next_two(&random, &u, &v);
-    const lanes_f x = unit->column + (u - 1.0f), y = unit->row + (v - 1.0f);
-    const Vec across = vec_add_scaled(vec_of(launch->camera.corner), vec_of(launch->camera.step_x), x);
-    const Vec direction = vec_normalize(vec_add_scaled(across, vec_of(launch->camera.step_y), y));
+    lanes_f x, y;
+    place_sample(unit->sample, u, v, launch, &x, &y);
+    const Vec across = vec_add_scaled(vec_of(launch->camera.corner), vec_of(launch->camera.step_x), unit->column + x);
+    const Vec direction = vec_normalize(vec_add_scaled(across, vec_of(launch->camera.step_y), unit->row + y));
     const lanes_mask wanting = MASK_OF_MANY(!spare->ready & (unit->sample < unit->end));
     spare->direction = vec_select(spare->direction, direction, wanting);
-    spare->random.a = lanes_select_u(spare->random.a, random.a, wanting);
-    spare->random.b = lanes_select_u(spare->random.b, random.b, wanting);
+    spare->random = random_select(spare->random, random, wanting);
     unit->sample += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), wanting);
     spare->ready |= wanting;
 }
@@ -171,8 +188,7 @@ static inline void start_spares(Path* path, Spare* spare, lanes_mask ended, uint
 #ifdef PT_GLOWS
     path->radiance = vec_select(path->radiance, vec_of((float4)(0.0f)), ended);
 #endif
-    path->random.a = lanes_select_u(path->random.a, spare->random.a, ended);
-    path->random.b = lanes_select_u(path->random.b, spare->random.b, ended);
+    path->random = random_select(path->random, spare->random, ended);
     path->last_turn = lanes_select_u(path->last_turn, (lanes_u)(turn + launch->path_length), ended);
     path->inside.word[0] = lanes_select_u(path->inside.word[0], (lanes_u)(launch->camera_side), ended);
     for (uint i = 1; i < PT_SIDE_WORDS; ++i) {

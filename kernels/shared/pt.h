@@ -35,6 +35,18 @@ PTB_ASSERT_SIZE(PtSurface, 80);
    PT_OPAQUE_SIDE if opaque. The index of refraction is NaN unless dielectric, so that nothing goes through. */
 #define PT_OPAQUE_SIDE 0xffffffffu
 
+/* Where spheres and surfaces lie that rays read: PT_SPHERES and PT_SURFACES. */
+#define PT_IN_ARGUMENT 0
+#define PT_IN_CONSTANT 1
+#define PT_IN_GLOBAL 2
+#define PT_IN_LOCAL 3
+#define PT_IN_PRIVATE 4
+
+/* Where in its pixel a sample lies: PT_FILTER. */
+#define PT_JITTER 0
+#define PT_CENTRE 1
+#define PT_STRATIFIED 2
+
 /* Work of one launch. A unit is a run of `samples_per_unit` consecutive samples of one pixel (the last unit of a
    pixel may be shorter). Unit number u of the launch is pixel `first_pixel + u % pixels`, and the run number
    `first_run + u / pixels`. */
@@ -54,9 +66,14 @@ typedef struct PtLaunch {
     ptb_uint units_per_lane; /* at most: some drivers bound the turns of a loop */
     ptb_uint camera_side;   /* first word of the sides that the camera is on */
     ptb_uint distance_mask; /* ~15; a constant, but not told to the compiler: see pt/hit.h */
-    ptb_uint padding[2];
+    ptb_uint first_unit;    /* this launch takes the units from here to `units`, */
+    ptb_uint slice;         /* by the counter of this number */
+    ptb_uint strata_columns; /* of stratified pixels; */
+    float stratum_width;     /* in pixels */
+    float stratum_height;
+    ptb_uint padding;
 } PtLaunch;
-PTB_ASSERT_SIZE(PtLaunch, 128);
+PTB_ASSERT_SIZE(PtLaunch, 144);
 
 /* What a unit leaves, or a pixel of the film holds: sums over its samples. */
 typedef struct PtTally {
@@ -68,5 +85,8 @@ typedef struct PtTally {
     ptb_uint padding;
 } PtTally;
 PTB_ASSERT_SIZE(PtTally, 48);
+
+/* A film in an image has its tallies in so many layers, one below the other: radiance, squares, and counts. */
+#define PT_FILM_LAYERS 3
 
 #endif

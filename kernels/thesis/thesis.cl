@@ -1,6 +1,7 @@
 /* `thesis`: the algorithm of the 2016 thesis with its habits (everything in global memory, a random state written back
    at every draw, one work-item a pixel) and its defects (kernels/thesis/README.md), without its undefined behaviour. It
    is the throughput baseline; for right pictures there is `pt`. */
+#include "lib/strict.h"
 #include "shared/thesis.h"
 
 #define NEAREST 0.001f

@@ -30,14 +30,16 @@ while IFS= read -r kernel; do
         portable=(-target spir64 "-DPTB_LANES=$lanes")
         check "$kernel" "${portable[@]}" -DPT_GLOWS
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_PORTABLE
-        check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3 -DPT_SCENE_SPACE=__global
+        check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3 -DPT_SPHERES=2 -DPT_SURFACES=2 -DPT_FILTER=1
+        check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_STRICT -DPT_SPHERES=4 -DPT_SURFACES=4 -DPTB_PARK_MILLER
+        check "$kernel" "${portable[@]}" -DPT_SPHERES=3 -DPT_SURFACES=3 -DPT_COUNT=40 -DPT_FILTER=2
         # With these the tables become register permutes.
         for machine in '-mavx512f -mavx512vl' '-mavx2 -mfma'; do
             # shellcheck disable=SC2086 # two words
             check "$kernel" -target x86_64-unknown-linux-gnu $machine "-DPTB_LANES=$lanes" "${few[@]}"
         done
     done
-    check "$kernel" -target spir64 "${few[@]}" -DPT_CARRIED -DPT_LOCAL_SURFACES -DPT_BATCH=6
+    check "$kernel" -target spir64 "${few[@]}" -DPT_CARRIED -DPT_SURFACES=3 -DPT_BATCH=6
 done < <(find kernels -name '*.cl' | sort)
 
 echo "$checks compilations with $clang, $failures failed"

@@ -108,7 +108,14 @@ TEST_F(RecordJson, case_is_written_in_the_words_of_the_axes) {
     EXPECT_EQ(
         Json(failed_record().params).dump(),
         R"({"device":"nvidia:0","kernel":"thesis","scene":"a.json","size":"1x1","spp":1,"path_length":1,)"
-        R"("lanes":"auto","work_group":"implicit"})");
+        R"("scene_memory":"auto","film_memory":"buffer","queue":"in_order","dispatch":"ndrange",)"
+        R"("pixel_filter":"jitter","rng":"auto","build":"default","lanes":"auto","work_group":"implicit"})");
+}
+
+TEST_F(RecordJson, case_of_an_earlier_version_has_the_usual_variant) {
+    Json json = failed_record().params;
+    for (const VariantAxis& axis : variant_axes()) json.erase(axis.name);
+    EXPECT_EQ(json.get<Case>(), failed_record().params);
 }
 
 TEST_F(RecordJson, absent_parts_are_null_and_nanoseconds_are_integers) {

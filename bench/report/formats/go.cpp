@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cctype>
 
 #include <fmt/format.h>
@@ -22,8 +23,15 @@ std::string word(std::string text) {
 /// number would be taken for one of so many processors.
 std::string name_of(const Case& c) {
     std::string name = "BenchmarkRender/device=" + word(c.device);
+    const Case usual = default_case();
+    const auto& choices = variant_axes();
+    const auto unsaid = [&](const std::string& axis) {
+        const auto is = [&](const VariantAxis& each) { return each.name == axis; };
+        return std::any_of(choices.begin(), choices.end(), is) &&
+               case_value(c, axis) == case_value(usual, axis);
+    };
     for (const std::string& axis : axis_names())
-        name += fmt::format("/{}={}", axis, word(case_value(c, axis)));
+        if (!unsaid(axis)) name += fmt::format("/{}={}", axis, word(case_value(c, axis)));
     return name + "/end";
 }
 

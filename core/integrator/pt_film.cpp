@@ -1,0 +1,123 @@
+#include "core/integrator/pt_film.h"
+
+#include <array>
+#include <bit>
+
+#include <fmt/format.h>
+
+namespace ptb {
+
+namespace {
+
+/// Of the kernels that add tallies to the film. Fixed, since PoCL compiles once a size; every device
+/// allows 32.
+constexpr int add_work_group = 32;
+
+class BufferFilm : public PtFilm {
+  public:
+    BufferFilm(const ocl::Device& device, const cl::Program& program, Size size)
+        : pixels_(size.pixels()),
+          add_(program, "pt_add"),
+          film_(device.context, CL_MEM_READ_WRITE, pixels_ * sizeof(PtTally)) {}
+
+    void clear(const cl::CommandQueue& queue) override {
+        queue.enqueueFillBuffer(film_, 0u, 0, pixels_ * sizeof(PtTally));
+    }
+    void add(Launcher& launcher, const cl::Buffer& tallies, const PtLaunch& launch) override {
+        add_.setArg(0, film_);
+        add_.setArg(1, tallies);
+        add_.setArg(2, launch);
+        launcher.launch(add_, one_dimensional(launch.pixels, add_work_group));
+    }
+    std::vector<PtTally> read(const cl::CommandQueue& queue) override {
+        std::vector<PtTally> tallies(pixels_);
+        queue.enqueueReadBuffer(film_, CL_TRUE, 0, pixels_ * sizeof(PtTally), tallies.data());
+        return tallies;
+    }
+    std::uint64_t bytes() const override { return pixels_ * sizeof(PtTally); }
+
+  private:
+    std::uint64_t pixels_;
+    cl::Kernel add_;
+    cl::Buffer film_;
+};
+
+/// A kernel of OpenCL 1.2 cannot read an image that it writes: so there are two, and every launch fills the
+/// other.
+class ImageFilm : public PtFilm {
+  public:
+    ImageFilm(const ocl::Device& device, const cl::Program& program, Size size)
+        : size_(size), add_(program, "pt_add_to_image") {
+        for (cl::Image2D& image : images_)
+            image = cl::Image2D(device.context, CL_MEM_READ_WRITE,
+                                cl::ImageFormat(CL_RGBA, CL_UNSIGNED_INT32), width(), height());
+    }
+
+    void clear(const cl::CommandQueue& queue) override {
+        for (const cl::Image2D& image : images_)
+            queue.enqueueFillImage(image, cl_uint4{{0, 0, 0, 0}}, {0, 0, 0}, {width(), height(), 1});
+    }
+    void add(Launcher& launcher, const cl::Buffer& tallies, const PtLaunch& launch) override {
+        add_.setArg(0, images_[0]);
+        add_.setArg(1, images_[1]);
+        add_.setArg(2, tallies);
+        add_.setArg(3, launch);
+        launcher.launch(add_, one_dimensional(size_.pixels(), add_work_group));
+        std::swap(images_[0], images_[1]);
+    }
+    std::vector<PtTally> read(const cl::CommandQueue& queue) override {
+        std::vector<std::array<std::uint32_t, 4>> texels(width() * height());
+        queue.enqueueReadImage(images_[0], CL_TRUE, {0, 0, 0}, {width(), height(), 1}, 0, 0, texels.data());
+        std::vector<PtTally> tallies(size_.pixels());
+        for (std::size_t i = 0; i < tallies.size(); ++i) {
+            const auto& counts = texels[i + 2 * tallies.size()];
+            tallies[i] = {as_floats(texels[i]),
+                          as_floats(texels[i + tallies.size()]),
+                          counts[0],
+                          counts[1],
+                          counts[2],
+                          0};
+        }
+        return tallies;
+    }
+    std::uint64_t bytes() const override { return pt_film_bytes(size_, FilmMemory::image); }
+
+  private:
+    static ptb_float4 as_floats(const std::array<std::uint32_t, 4>& texel) {
+        return std::bit_cast<ptb_float4>(texel);
+    }
+    std::size_t width() const { return static_cast<std::size_t>(size_.width); }
+    std::size_t height() const { return static_cast<std::size_t>(size_.height) * PT_FILM_LAYERS; }
+
+    Size size_;
+    cl::Kernel add_;
+    std::array<cl::Image2D, 2> images_;  ///< the first holds the film
+};
+
+}  // namespace
+
+std::unique_ptr<PtFilm> make_pt_film(const ocl::Device& device, const cl::Program& program, Size size,
+                                     FilmMemory memory) {
+    if (memory == FilmMemory::image) return std::make_unique<ImageFilm>(device, program, size);
+    return std::make_unique<BufferFilm>(device, program, size);
+}
+
+std::uint64_t pt_film_largest(Size size, FilmMemory) { return size.pixels() * sizeof(PtTally); }
+
+std::uint64_t pt_film_bytes(Size size, FilmMemory memory) {
+    return pt_film_largest(size, memory) * (memory == FilmMemory::image ? 2 : 1);
+}
+
+std::string pt_film_refusal(const ocl::Device& device, Size size, FilmMemory memory) {
+    if (memory == FilmMemory::buffer) return "";
+    if (!device.info.images) return "film_memory image: this device has no images";
+    const std::uint64_t rows = static_cast<std::uint64_t>(size.height) * PT_FILM_LAYERS;
+    const std::uint64_t columns = static_cast<std::uint64_t>(size.width);
+    const std::uint64_t most_rows = device.device.getInfo<CL_DEVICE_IMAGE2D_MAX_HEIGHT>();
+    const std::uint64_t most_columns = device.device.getInfo<CL_DEVICE_IMAGE2D_MAX_WIDTH>();
+    if (rows <= most_rows && columns <= most_columns) return "";
+    return fmt::format("film_memory image: {}x{} pixels need an image of {}x{}, this device allows {}x{}",
+                       size.width, size.height, columns, rows, most_columns, most_rows);
+}
+
+}  // namespace ptb

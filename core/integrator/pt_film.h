@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/image/image.h"
+#include "core/render/launcher.h"
+#include "shared/pt.h"
+
+namespace ptb {
+
+/// What holds the sums of `pt`'s pixels on a device. Methods throw cl::Error.
+class PtFilm {
+  public:
+    virtual ~PtFilm() = default;
+    virtual void clear(const cl::CommandQueue& queue) = 0;
+    /// Adds the tallies of a launch.
+    virtual void add(Launcher& launcher, const cl::Buffer& tallies, const PtLaunch& launch) = 0;
+    /// One tally a pixel, row by row.
+    virtual std::vector<PtTally> read(const cl::CommandQueue& queue) = 0;
+    virtual std::uint64_t bytes() const = 0;
+};
+
+std::unique_ptr<PtFilm> make_pt_film(const ocl::Device& device, const cl::Program& program, Size size,
+                                     FilmMemory memory);
+
+/// Device memory of a film, and its largest object, bytes.
+std::uint64_t pt_film_bytes(Size size, FilmMemory memory);
+std::uint64_t pt_film_largest(Size size, FilmMemory memory);
+
+/// Why the device cannot hold such a film, or nothing.
+std::string pt_film_refusal(const ocl::Device& device, Size size, FilmMemory memory);
+
+}  // namespace ptb

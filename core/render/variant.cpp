@@ -1,0 +1,54 @@
+#include "core/render/variant.h"
+
+namespace ptb {
+
+namespace {
+
+template <auto member>
+VariantAxis axis(const char* name, const char* help, std::vector<std::string> values) {
+    return {name, help, std::move(values),
+            [](const Variant& variant) { return static_cast<std::size_t>(variant.*member); },
+            [](Variant& variant, std::size_t value) {
+                using Choice = std::remove_reference_t<decltype(variant.*member)>;
+                variant.*member = static_cast<Choice>(value);
+            }};
+}
+
+}  // namespace
+
+const std::vector<VariantAxis>& variant_axes() {
+    static const std::vector<VariantAxis> axes{
+        axis<&Variant::scene_memory>("scene_memory", "memory that rays read the spheres from",
+                                     {"auto", "argument", "constant", "global", "local", "private"}),
+        axis<&Variant::film_memory>("film_memory", "what holds the pixels' sums", {"buffer", "image"}),
+        axis<&Variant::queue>("queue", "whether the launches of a pass wait for each other",
+                              {"in_order", "out_of_order"}),
+        axis<&Variant::dispatch>("dispatch", "one range of work-items, or many launches of one",
+                                 {"ndrange", "tasks"}),
+        axis<&Variant::pixel_filter>("pixel_filter", "where in its pixel a sample lies",
+                                     {"jitter", "centre", "stratified"}),
+        axis<&Variant::rng>("rng", "random numbers", {"auto", "hash", "park_miller"}),
+        axis<&Variant::build>("build", "how freely the compiler may treat arithmetic",
+                              {"default", "strict", "relaxed"}),
+    };
+    return axes;
+}
+
+Variant of_image(Variant variant) {
+    const Variant usual;
+    variant.film_memory = usual.film_memory;
+    variant.queue = usual.queue;
+    variant.dispatch = usual.dispatch;
+    return variant;
+}
+
+std::string to_string(const Variant& variant) {
+    std::string text;
+    for (const VariantAxis& axis : variant_axes()) {
+        if (axis.get(variant) == 0) continue;
+        text += (text.empty() ? "" : ", ") + axis.name + " " + axis.value_of(variant);
+    }
+    return text;
+}
+
+}  // namespace ptb
