@@ -200,6 +200,10 @@ struct Grammar {
         render->add_option("--seed", flags.seed, "seed of the random numbers")
             ->check(whole_number(0, limits::most_seed))
             ->capture_default_str();
+        render->add_option("-a,--axis", flags.axes, "an axis' value: pixel_filter=centre; repeatable")
+            ->allow_extra_args(false)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+            ->expected(1);
         add_axis_flags(*render, flags.axis_values, false);
     }
 

@@ -32,6 +32,14 @@ DeviceInfo choose_device(const std::string& selector, const std::vector<DeviceIn
 
 Case case_of(const RenderFlags& flags) {
     Case c = default_case();
+    for (const std::string& text : flags.axes) {
+        const Axis axis = parse_axis(text);
+        if (axis.points.size() != 1)
+            throw UsageError(fmt::format(
+                "-a: found \"{}\"; allowed: one value, since render makes one picture", printable(text)));
+        for (std::size_t i = 0; i < axis.names.size(); ++i)
+            set_case_value(c, axis.names[i], axis.points[0][i]);
+    }
     for (const auto& [axis, value] : flags.axis_values) set_case_value(c, axis, value);
     check_case(c);
     check_names({c});

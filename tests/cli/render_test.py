@@ -35,6 +35,9 @@ class Render(CliTest):
             (("-o", "/proc/x.png"), "/proc/x.png"),
             (("-o", "x.png", "--spp", "0"), "spp"),
             (("-o", "x.png", "--spp", "1,2"), "spp"),
+            (("-o", "x.png", "-a", "rng=[hash,park_miller]"), "one picture"),
+            (("-o", "x.png", "-a", "rng=haash"), "auto, hash, park_miller"),
+            (("-o", "x.png", "--kernel", "thesis", "-a", "pixel_filter=centre"), "thesis has jitter"),
             (("-o", "x.png", "--kernel", "ptt"), "did you mean pt?"),
             (("-o", "x.png", "--scene", "thesi"), "did you mean thesis?"),
             (("-o", "x.png", "--seed", "-1"), "--seed"),
@@ -52,6 +55,11 @@ class Render(CliTest):
                 for group in groups:
                     with self.subTest(device=device, kernel=kernel, group=group):
                         self.assertEqual(self.picture(*words, "--wg", group), implicit)
+
+    def test_axes_choose_what_has_no_flag_of_its_own(self):
+        first = self.picture(*SMALL)
+        self.assertNotEqual(self.picture(*SMALL, "-a", "rng=park_miller"), first)
+        self.assertEqual(self.picture(*SMALL, "-a", "queue=out_of_order", "-a", "film_memory=image"), first)
 
     def test_the_seed_matters_and_repeats(self):
         first = self.picture(*SMALL)

@@ -176,8 +176,10 @@ TEST(Config, unknown_name_lists_what_there_is) {
         load_config("quik", configs);
         FAIL() << "a config that is not there was loaded";
     } catch (const UsageError& error) {
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("did you mean quick?"),
-                                        HasSubstr("ci, doctor, quick, speed, thesis, tune")));
+        EXPECT_THAT(
+            error.what(),
+            AllOf(HasSubstr("did you mean quick?"),
+                  HasSubstr("ci, doctor, memory, quality, queues, quick, speed, thesis, tune, workgroups")));
     }
     EXPECT_THROW(load_config("quick", "/nowhere"), UsageError);
     EXPECT_THROW(load_config("", configs), UsageError);
