@@ -130,18 +130,15 @@ class PtRender : public Render {
     }
 
     Film read_film() override {
-        const std::vector<PtTally> tallies =
-            ocl::checked("pt film", device_.info.name, [&] { return film_->read(launcher_.queue()); });
         Film film;
         film.mean = {job_.size, std::vector<float>(pixels_ * 3)};
         film.variance = film.mean;
         film.samples = film.full_length_paths = 0;
-        for (std::size_t i = 0; i < pixels_; ++i) {
-            const PtTally& tally = tallies[i];
-            store_pixel(tally, &film.mean.rgb[3 * i], &film.variance->rgb[3 * i]);
-            *film.samples += tally.samples;
-            film.segments += tally.segments;
-            *film.full_length_paths += tally.full_length_paths;
+        for (int row = 0; row < job_.size.height; row += rows_at_once) {
+            const int rows = std::min(rows_at_once, job_.size.height - row);
+            const std::vector<PtTally> tallies = ocl::checked(
+                "pt film", device_.info.name, [&] { return film_->read(launcher_.queue(), row, rows); });
+            store_tallies(tallies, Size{job_.size.width, row}.pixels(), film);
         }
         return film;
     }
@@ -158,6 +155,19 @@ class PtRender : public Render {
         std::vector<Row> copy = rows;
         return {device_.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, copy.size() * sizeof(Row),
                 copy.data()};
+    }
+
+    static constexpr int rows_at_once = 256;  ///< of the film, on the host
+
+    static void store_tallies(const std::vector<PtTally>& tallies, std::size_t first_pixel, Film& film) {
+        for (std::size_t i = 0; i < tallies.size(); ++i) {
+            const PtTally& tally = tallies[i];
+            const std::size_t at = 3 * (first_pixel + i);
+            store_pixel(tally, &film.mean.rgb[at], &film.variance->rgb[at]);
+            *film.samples += tally.samples;
+            film.segments += tally.segments;
+            *film.full_length_paths += tally.full_length_paths;
+        }
     }
 
     static void store_pixel(const PtTally& tally, float* mean, float* variance) {

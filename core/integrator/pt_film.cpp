@@ -16,28 +16,25 @@ constexpr int add_work_group = 32;
 class BufferFilm : public PtFilm {
   public:
     BufferFilm(const ocl::Device& device, const cl::Program& program, Size size)
-        : pixels_(size.pixels()),
-          add_(program, "pt_add"),
-          film_(device.context, CL_MEM_READ_WRITE, pixels_ * sizeof(PtTally)) {}
+        : size_(size), add_(program, "pt_add"), film_(device.context, CL_MEM_READ_WRITE, bytes()) {}
 
-    void clear(const cl::CommandQueue& queue) override {
-        queue.enqueueFillBuffer(film_, 0u, 0, pixels_ * sizeof(PtTally));
-    }
+    void clear(const cl::CommandQueue& queue) override { queue.enqueueFillBuffer(film_, 0u, 0, bytes()); }
     void add(Launcher& launcher, const cl::Buffer& tallies, const PtLaunch& launch) override {
         add_.setArg(0, film_);
         add_.setArg(1, tallies);
         add_.setArg(2, launch);
         launcher.launch(add_, one_dimensional(launch.pixels, add_work_group));
     }
-    std::vector<PtTally> read(const cl::CommandQueue& queue) override {
-        std::vector<PtTally> tallies(pixels_);
-        queue.enqueueReadBuffer(film_, CL_TRUE, 0, pixels_ * sizeof(PtTally), tallies.data());
+    std::vector<PtTally> read(const cl::CommandQueue& queue, int first_row, int rows) override {
+        std::vector<PtTally> tallies(Size{size_.width, rows}.pixels());
+        queue.enqueueReadBuffer(film_, CL_TRUE, Size{size_.width, first_row}.pixels() * sizeof(PtTally),
+                                tallies.size() * sizeof(PtTally), tallies.data());
         return tallies;
     }
-    std::uint64_t bytes() const override { return pixels_ * sizeof(PtTally); }
+    std::uint64_t bytes() const override { return pt_film_bytes(size_, FilmMemory::buffer); }
 
   private:
-    std::uint64_t pixels_;
+    Size size_;
     cl::Kernel add_;
     cl::Buffer film_;
 };
@@ -65,26 +62,26 @@ class ImageFilm : public PtFilm {
         launcher.launch(add_, one_dimensional(size_.pixels(), add_work_group));
         std::swap(images_[0], images_[1]);
     }
-    std::vector<PtTally> read(const cl::CommandQueue& queue) override {
-        std::vector<std::array<std::uint32_t, 4>> texels(width() * height());
-        queue.enqueueReadImage(images_[0], CL_TRUE, {0, 0, 0}, {width(), height(), 1}, 0, 0, texels.data());
-        std::vector<PtTally> tallies(size_.pixels());
-        for (std::size_t i = 0; i < tallies.size(); ++i) {
-            const auto& counts = texels[i + 2 * tallies.size()];
-            tallies[i] = {as_floats(texels[i]),
-                          as_floats(texels[i + tallies.size()]),
-                          counts[0],
-                          counts[1],
-                          counts[2],
-                          0};
-        }
+    std::vector<PtTally> read(const cl::CommandQueue& queue, int first_row, int rows) override {
+        const auto radiance = layer(queue, 0, first_row, rows), squares = layer(queue, 1, first_row, rows),
+                   counts = layer(queue, 2, first_row, rows);
+        std::vector<PtTally> tallies(counts.size());
+        for (std::size_t i = 0; i < tallies.size(); ++i)
+            tallies[i] = {as_floats(radiance[i]), as_floats(squares[i]), counts[i][0],
+                          counts[i][1],           counts[i][2],          0};
         return tallies;
     }
     std::uint64_t bytes() const override { return pt_film_bytes(size_, FilmMemory::image); }
 
   private:
-    static ptb_float4 as_floats(const std::array<std::uint32_t, 4>& texel) {
-        return std::bit_cast<ptb_float4>(texel);
+    using Texel = std::array<std::uint32_t, 4>;
+    static ptb_float4 as_floats(const Texel& texel) { return std::bit_cast<ptb_float4>(texel); }
+    std::vector<Texel> layer(const cl::CommandQueue& queue, int number, int first_row, int rows) const {
+        std::vector<Texel> texels(Size{size_.width, rows}.pixels());
+        const auto row = static_cast<std::size_t>(number * size_.height + first_row);
+        queue.enqueueReadImage(images_[0], CL_TRUE, {0, row, 0}, {width(), static_cast<std::size_t>(rows), 1},
+                               0, 0, texels.data());
+        return texels;
     }
     std::size_t width() const { return static_cast<std::size_t>(size_.width); }
     std::size_t height() const { return static_cast<std::size_t>(size_.height) * PT_FILM_LAYERS; }

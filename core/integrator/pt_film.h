@@ -16,8 +16,8 @@ class PtFilm {
     virtual void clear(const cl::CommandQueue& queue) = 0;
     /// Adds the tallies of a launch.
     virtual void add(Launcher& launcher, const cl::Buffer& tallies, const PtLaunch& launch) = 0;
-    /// One tally a pixel, row by row.
-    virtual std::vector<PtTally> read(const cl::CommandQueue& queue) = 0;
+    /// One tally a pixel of these rows: a large film would take twice its size on the host at once.
+    virtual std::vector<PtTally> read(const cl::CommandQueue& queue, int first_row, int rows) = 0;
     virtual std::uint64_t bytes() const = 0;
 };
 
