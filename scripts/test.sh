@@ -12,16 +12,19 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 install_missing "$PACKAGES_TO_TEST"
 cd "$root"
 
-options=()
-if [ -n "${PTB_STRICT-}" ]; then options+=(-DCMAKE_CXX_FLAGS=-Werror); fi
+# Everything is built, so folders are compiled at once.
+options=(-DPTBENCH_UNITY=ON)
 if command -v ccache >/dev/null; then options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DPTBENCH_PCH=OFF); fi
+strict=()
+if [ -n "${PTB_STRICT-}" ]; then strict=(-DCMAKE_CXX_FLAGS=-Werror); fi
 
 sanitized=''
 if [ $# -eq 0 ]; then
     sanitized=$root/build/asan
-    quietly cmake --preset asan
+    quietly cmake --preset asan "${options[@]}"
 fi
-quietly cmake --preset release -DPTBENCH_TESTS=ON -DPTBENCH_MICRO=ON "-DPTBENCH_SANITIZED_TREE=$sanitized" ${options[@]+"${options[@]}"}
+quietly cmake --preset release -DPTBENCH_TESTS=ON -DPTBENCH_MICRO=ON "-DPTBENCH_SANITIZED_TREE=$sanitized" \
+    "${options[@]}" ${strict[@]+"${strict[@]}"}
 cmake --build build/release
 if [ -n "$sanitized" ]; then cmake --build build/asan --target unit_tests fake_worker ptbench ptbench_manuals; fi
 

@@ -68,8 +68,8 @@ class Tuning {
                              std::chrono::duration_cast<std::chrono::milliseconds>(silence), stopped_),
             config_.measure);
         for (const auto& [kernel, candidates] : heats_of(config_, device)) {
-            const auto say = [&](const std::string& what) {
-                tell(options_.common, fmt::format("[{}] {}: {}", device.key, kernel, what));
+            const auto say = [&, &name = kernel](const std::string& what) {
+                tell(options_.common, fmt::format("[{}] {}: {}", device.key, name, what));
             };
             const Contest contest =
                 hold_contest(worker, candidates, {.seed = config_.measure.seed}, stopped_, say);

@@ -61,7 +61,7 @@ void send_response(const Answers& answers, Response response) {
 int worker_command_line(const Options& options) {
     const Answers answers;
     if (options.worker.probe) return answer_probe(answers);
-    std::unique_ptr<Session> session;
+    std::unique_ptr<WorkerSession> session;
     for (std::string line; std::getline(std::cin, line);) {
         try {
             const Request request = parse_request(line);

@@ -36,7 +36,7 @@ void validate_film(benchmark::State& state) {
     const Reference reference = noisy_reference();
     const std::uint64_t samples = film_size.pixels() * film_spp;
     const Film film{reference.mean, reference.variance, samples, 3 * samples, 0};
-    const Evidence evidence{film, film_size, film_spp, 5};
+    const FilmEvidence evidence{film, film_size, film_spp, 5};
     for (auto _ : state) {
         Validation validation = check_film(evidence);
         check_against(validation, evidence, reference);

@@ -44,7 +44,7 @@ bool same_shape(Size a, Size b) {
 }
 
 /// Image mean, worst channel. Pixels of equal shape cover the same field of view whatever their number.
-void check_mean(Validation& validation, const Evidence& evidence, const Reference& reference, double limit) {
+void check_mean(Validation& validation, const FilmEvidence& evidence, const Reference& reference, double limit) {
     if (!same_shape(evidence.size, reference.size)) return;
     const auto mean = channel_means(evidence.film.mean);
     const auto expected = channel_means(reference.mean);
@@ -63,7 +63,7 @@ void check_mean(Validation& validation, const Evidence& evidence, const Referenc
     validation.checks.push_back("mean");
 }
 
-void check_segments(Validation& validation, const Evidence& evidence, const Reference& reference,
+void check_segments(Validation& validation, const FilmEvidence& evidence, const Reference& reference,
                     double limit) {
     if (!same_shape(evidence.size, reference.size)) return;
     const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
@@ -77,7 +77,7 @@ void check_segments(Validation& validation, const Evidence& evidence, const Refe
                          validation.segments_per_sample, reference.segments_per_sample, z));
 }
 
-void check_full_length(Validation& validation, const Evidence& evidence, const Reference& reference,
+void check_full_length(Validation& validation, const FilmEvidence& evidence, const Reference& reference,
                        double limit) {
     if (!evidence.film.full_length_paths || !same_shape(evidence.size, reference.size)) return;
     const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
@@ -97,7 +97,7 @@ struct BlockFamily {
     int edge = 1;
     Blocks found, expected, variance;
 
-    BlockFamily(const Evidence& evidence, const Reference& reference, int block)
+    BlockFamily(const FilmEvidence& evidence, const Reference& reference, int block)
         : edge(block),
           found(block_means(evidence.film.mean, block)),
           expected(block_means(reference.mean, block)),
@@ -117,7 +117,7 @@ struct BlockFamily {
     }
 };
 
-void check_blocks(Validation& validation, const Evidence& evidence, const Reference& reference) {
+void check_blocks(Validation& validation, const FilmEvidence& evidence, const Reference& reference) {
     const int spp = std::min(evidence.spp, reference.spp);
     const int largest = std::min(evidence.size.width, evidence.size.height) / 2;
     int edge = block_edge(block_samples, spp);
@@ -149,7 +149,7 @@ void check_blocks(Validation& validation, const Evidence& evidence, const Refere
 }
 
 /// Pixels that share random numbers: no mean shows it, but an image needs more samples than it says.
-void check_neighbours(Validation& validation, const Evidence& evidence, const Reference& reference,
+void check_neighbours(Validation& validation, const FilmEvidence& evidence, const Reference& reference,
                       double limit) {
     if (evidence.size != reference.size) return;
     validation.checks.push_back("neighbours");
@@ -175,7 +175,7 @@ double sidak_limit(double alpha, std::size_t tests) {
     return boost::math::quantile(boost::math::complement(boost::math::normal(), each / 2));
 }
 
-Validation check_film(const Evidence& evidence) {
+Validation check_film(const FilmEvidence& evidence) {
     Validation validation;
     validation.valid = true;
     validation.checks = {"finite", "counts"};
@@ -199,7 +199,7 @@ Validation check_film(const Evidence& evidence) {
     return validation;
 }
 
-void check_against(Validation& validation, const Evidence& evidence, const Reference& reference) {
+void check_against(Validation& validation, const FilmEvidence& evidence, const Reference& reference) {
     check_segments(validation, evidence, reference, 4);
     check_full_length(validation, evidence, reference, 4);
     check_blocks(validation, evidence, reference);
@@ -207,7 +207,7 @@ void check_against(Validation& validation, const Evidence& evidence, const Refer
     check_neighbours(validation, evidence, reference, 4);
 }
 
-void check_timed(Validation& validation, const Evidence& evidence, const Reference& reference) {
+void check_timed(Validation& validation, const FilmEvidence& evidence, const Reference& reference) {
     check_segments(validation, evidence, reference, 5);
     check_mean(validation, evidence, reference, 5);
 }

@@ -20,7 +20,7 @@ inline constexpr std::uint64_t block_samples = 60'000;
 inline constexpr double block_hits = 100;
 
 /// A film to be judged, and the job it came from.
-struct Evidence {
+struct FilmEvidence {
     const Film& film;
     Size size;
     int spp = 1;
@@ -29,16 +29,16 @@ struct Evidence {
 
 /// Checks what needs no reference: every value finite and not negative, no sample lost or made up, between
 /// one and path_length segments a sample.
-Validation check_film(const Evidence& evidence);
+Validation check_film(const FilmEvidence& evidence);
 
 /// Adds the tests against a reference of the same scene, kernel and path length, same or different size:
 /// pixel blocks and the independence of neighbouring pixels (same size only), image mean within 4 combined
 /// standard errors, segments per sample and the share of full-length paths within 4.
-void check_against(Validation& validation, const Evidence& evidence, const Reference& reference);
+void check_against(Validation& validation, const FilmEvidence& evidence, const Reference& reference);
 
 /// Adds the tests that any timed render of the work must pass: image mean and segments within 5 standard
 /// errors.
-void check_timed(Validation& validation, const Evidence& evidence, const Reference& reference);
+void check_timed(Validation& validation, const FilmEvidence& evidence, const Reference& reference);
 
 /// Two films of the same work must not differ in a bit; `what` says how they were made differently.
 void check_same_bits(Validation& validation, const Film& film, const Film& other, const std::string& what);

@@ -22,7 +22,7 @@ Response failed(const std::string& reason) {
     return response;
 }
 
-class DeviceSession : public Session {
+class DeviceSession : public WorkerSession {
   public:
     explicit DeviceSession(std::string key) : key_(std::move(key)) {}
 
@@ -103,7 +103,7 @@ class DeviceSession : public Session {
 
 }  // namespace
 
-std::unique_ptr<Session> make_session(const std::string& device_key) {
+std::unique_ptr<WorkerSession> make_session(const std::string& device_key) {
     return std::make_unique<DeviceSession>(device_key);
 }
 

@@ -10,15 +10,15 @@ namespace ptb {
 
 /// Answers requests for one device: the only part of `bench` that calls OpenCL (through `core`). Runs inside
 /// a worker process, or inside the coordinator under --no-isolate.
-class Session {
+class WorkerSession {
   public:
     using Send = std::function<void(const Response&)>;
-    virtual ~Session() = default;
+    virtual ~WorkerSession() = default;
     /// Answers one request through `send`; never throws.
     virtual void answer(const Request& request, const Send& send) = 0;
 };
 
 /// A session on the device with this key, among the ICDs that this process sees.
-std::unique_ptr<Session> make_session(const std::string& device_key);
+std::unique_ptr<WorkerSession> make_session(const std::string& device_key);
 
 }  // namespace ptb

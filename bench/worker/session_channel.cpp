@@ -8,7 +8,7 @@ namespace {
 
 class SessionChannel : public Channel {
   public:
-    explicit SessionChannel(std::unique_ptr<Session> session) : session_(std::move(session)) {}
+    explicit SessionChannel(std::unique_ptr<WorkerSession> session) : session_(std::move(session)) {}
 
     Reply request(const Request& request, const Progress& progress) override {
         Reply reply{Reply::End::crashed, {}, "the session gave no answer"};
@@ -23,7 +23,7 @@ class SessionChannel : public Channel {
     }
 
   private:
-    std::unique_ptr<Session> session_;
+    std::unique_ptr<WorkerSession> session_;
 };
 
 }  // namespace

@@ -257,7 +257,7 @@ const Validation& Workbench::validated(const Job& job, const Stage& progress) {
     timed_render(*render,
                  {cutters_[job.image_key()], device_.info.timer_resolution_ns, stage(progress, "validate")});
     const Film film = render->read_film();
-    const Evidence evidence{film, work.size, work.spp, work.path_length};
+    const FilmEvidence evidence{film, work.size, work.spp, work.path_length};
     Validation validation = check_film(evidence);
     if (reference)
         check_against(validation, evidence, *reference);
@@ -339,7 +339,7 @@ void Workbench::summarize(const Measurement& measurement, Record& record) const 
 
 /// The timed render's own picture must pass what any picture of this work must.
 void Workbench::check_film_of(const Job& job, const Film& film, Validation& validation) const {
-    const Evidence evidence{film, job.work.size, job.work.spp, job.work.path_length};
+    const FilmEvidence evidence{film, job.work.size, job.work.spp, job.work.path_length};
     Validation own = check_film(evidence);
     if (const auto reference = stored_reference(job)) check_timed(own, evidence, *reference);
     validation.checks.emplace_back("timed image");
