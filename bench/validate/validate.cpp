@@ -44,7 +44,8 @@ bool same_shape(Size a, Size b) {
 }
 
 /// Image mean, worst channel. Pixels of equal shape cover the same field of view whatever their number.
-void check_mean(Validation& validation, const FilmEvidence& evidence, const Reference& reference, double limit) {
+void check_mean(Validation& validation, const FilmEvidence& evidence, const Reference& reference,
+                double limit) {
     if (!same_shape(evidence.size, reference.size)) return;
     const auto mean = channel_means(evidence.film.mean);
     const auto expected = channel_means(reference.mean);
