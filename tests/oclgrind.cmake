@@ -15,3 +15,15 @@ foreach(lanes 1 4 16)
   ptbench_oclgrind(pt ${lanes} thesis)
   ptbench_oclgrind(pt ${lanes} balls:40)
 endforeach()
+
+# What kernels count of themselves, against the instructions.
+function(ptbench_oclgrind_counts kernel scene)
+  string(REPLACE ":" "_" name oclgrind.counted_${kernel}_${scene})
+  add_test(NAME ${name} COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_SOURCE_DIR}/render/counted.py
+                                $<TARGET_FILE:render_once> ${kernel} ${scene})
+  set_tests_properties(${name} PROPERTIES LABELS oclgrind TIMEOUT 300 SKIP_RETURN_CODE 77)
+endfunction()
+
+ptbench_oclgrind_counts(thesis thesis)
+ptbench_oclgrind_counts(pt thesis)
+ptbench_oclgrind_counts(pt balls:40)

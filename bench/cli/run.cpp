@@ -19,6 +19,7 @@
 #include "bench/cli/tell.h"
 #include "bench/cli/tuned.h"
 #include "bench/measure/clock.h"
+#include "bench/measure/counted.h"
 #include "bench/measure/fit.h"
 #include "bench/plan/data_dir.h"
 #include "bench/plan/scene_file.h"
@@ -76,6 +77,7 @@ Prepared prepare(const Options& options) {
     if (!any_usable(prepared.list)) return prepared;
     RunPlan& plan = prepared.plan;
     plan.measure = prepared.config.measure;
+    plan.measure.count = options.run.peaks;
     plan.max_total_time_s = prepared.config.max_total_time_s;
     plan.devices = select_devices(prepared.config.devices, prepared.list.devices);
     prepared.tuned = prepared.earlier && !options.run.no_tuned
@@ -169,6 +171,7 @@ void run_plan(const Options& options, const Prepared& prepared, const Outputs& o
     const std::vector<Record> measured = coordinator.run(forecast, {&journal, &progress});
     result.cases.insert(result.cases.end(), measured.begin(), measured.end());
     result.cases = in_plan_order(prepared.planned, result.cases);
+    add_shares(result.cases, result.peaks);
     result.fits = fits_over_spp(result.cases);
 }
 

@@ -40,6 +40,7 @@ struct MeasureOptions {
     std::string timer = "auto";  ///< "auto", "event" or "host"
     bool skip_time = false;      ///< validate only
     std::string kernel_dir;      ///< kernels from this folder instead of the embedded ones, or empty
+    bool count = false;          ///< also what kernels do, by instrumented builds of them
     bool operator==(const MeasureOptions&) const = default;
 };
 

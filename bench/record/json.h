@@ -80,11 +80,28 @@ inline constexpr auto fields<DevicePeaks> = std::make_tuple(required("device", &
                                                             field("peaks", &DevicePeaks::peaks));
 
 template <>
-inline constexpr auto fields<Record> = std::make_tuple(
-    required("params", &Record::params), required("status", &Record::status),
-    field("reason", &Record::reason), field("work", &Record::work), field("build", &Record::build),
-    field("samples", &Record::samples), field("statistics", &Record::statistics),
-    field("validation", &Record::validation), field("energy", &Record::energy));
+inline constexpr auto fields<PeakShares> = std::make_tuple(field("fma", &PeakShares::fma),
+                                                           field("sqrt", &PeakShares::sqrt),
+                                                           field("division", &PeakShares::division),
+                                                           field("global", &PeakShares::global),
+                                                           field("limit", &PeakShares::limit),
+                                                           field("limit_share", &PeakShares::limit_share));
+
+template <>
+inline constexpr auto fields<Counted> = std::make_tuple(
+    field("segments", &Counted::segments), field("flops_per_segment", &Counted::flops_per_segment),
+    field("roots_per_segment", &Counted::roots_per_segment),
+    field("divisions_per_segment", &Counted::divisions_per_segment),
+    field("bytes_per_segment", &Counted::bytes_per_segment), field("lanes_alive", &Counted::lanes_alive),
+    field("reason", &Counted::reason), field("of_peak", &Counted::of_peak));
+
+template <>
+inline constexpr auto fields<Record> =
+    std::make_tuple(required("params", &Record::params), required("status", &Record::status),
+                    field("reason", &Record::reason), field("work", &Record::work),
+                    field("build", &Record::build), field("samples", &Record::samples),
+                    field("statistics", &Record::statistics), field("validation", &Record::validation),
+                    field("energy", &Record::energy), field("counted", &Record::counted));
 
 template <>
 inline constexpr auto fields<DeviceInfo> = std::make_tuple(
@@ -150,7 +167,8 @@ inline constexpr auto fields<MeasureOptions> = std::make_tuple(
     field("seed", &MeasureOptions::seed), field("warmup", &MeasureOptions::warmup),
     field("min_samples", &MeasureOptions::min_samples), field("max_samples", &MeasureOptions::max_samples),
     field("max_time", &MeasureOptions::max_time_s), field("timer", &MeasureOptions::timer),
-    field("skip_time", &MeasureOptions::skip_time), field("kernel_dir", &MeasureOptions::kernel_dir));
+    field("skip_time", &MeasureOptions::skip_time), field("kernel_dir", &MeasureOptions::kernel_dir),
+    field("count", &MeasureOptions::count));
 
 /// A case is written in the words of the axes: "size": "128x128", "work_group": "implicit", "lanes": "auto".
 Json encode(const Case& c);

@@ -95,6 +95,27 @@ struct Energy {
     bool operator==(const Energy&) const = default;
 };
 
+/// Shares of what the device can do at most, as measured in the same run; 1 is all of it. Absent without that
+/// peak or a time.
+struct PeakShares {
+    std::optional<double> fma, sqrt, division, global;
+    std::string limit;  ///< the nearest one: "fma", "roots" (with divisions: one unit does both), "global"
+    std::optional<double> limit_share;
+    bool operator==(const PeakShares&) const = default;
+};
+
+/// What the kernel does, counted by an instrumented build of it on a part of the case's work: f32 arithmetic
+/// on lanes that trace a path (a multiply-add is two), and bytes of global memory as the kernel asks for
+/// them.
+struct Counted {
+    std::uint64_t segments = 0;  ///< counted on; 0: nothing was counted
+    std::optional<double> flops_per_segment, roots_per_segment, divisions_per_segment, bytes_per_segment;
+    std::optional<double> lanes_alive;  ///< mean share of a work-item's lanes, or a warp's, with a path
+    std::string reason;                 ///< why a number is absent, or empty
+    PeakShares of_peak;
+    bool operator==(const Counted&) const = default;
+};
+
 /// What became of one planned case. The one record type of protocol, journal and result file.
 struct Record {
     Case params;
@@ -106,6 +127,7 @@ struct Record {
     std::optional<Statistics> statistics;
     std::optional<Validation> validation;
     std::optional<Energy> energy;
+    std::optional<Counted> counted;  ///< with --peaks
     bool operator==(const Record&) const = default;
 };
 

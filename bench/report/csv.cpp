@@ -70,6 +70,18 @@ Cell of_energy(std::optional<double> Energy::*member) {
         return energy && *energy.*member ? real(*(*energy.*member), 6) : "";
     };
 }
+Cell of_counted(std::optional<double> Counted::*member) {
+    return [member](const Row& r) {
+        const auto& counted = r.record.counted;
+        return counted && *counted.*member ? real(*(*counted.*member), 6) : "";
+    };
+}
+Cell of_peak(std::optional<double> PeakShares::*member) {
+    return [member](const Row& r) {
+        const auto& counted = r.record.counted;
+        return counted && counted->of_peak.*member ? real(*(counted->of_peak.*member), 6) : "";
+    };
+}
 Cell statistic_ms(double Statistics::*member) {
     return of_statistics([member](const Statistics& s) { return ms_text(s.*member); });
 }
@@ -149,6 +161,16 @@ const Columns& other_columns() {
         {"joules", of_energy(&Energy::joules)},
         {"samples_per_joule", of_energy(&Energy::samples_per_joule)},
         {"idle_w", of_energy(&Energy::idle_w)},
+        {"flops_per_segment", of_counted(&Counted::flops_per_segment)},
+        {"roots_per_segment", of_counted(&Counted::roots_per_segment)},
+        {"divisions_per_segment", of_counted(&Counted::divisions_per_segment)},
+        {"bytes_per_segment", of_counted(&Counted::bytes_per_segment)},
+        {"lanes_alive", of_counted(&Counted::lanes_alive)},
+        {"of_peak_fma", of_peak(&PeakShares::fma)},
+        {"of_peak_sqrt", of_peak(&PeakShares::sqrt)},
+        {"of_peak_division", of_peak(&PeakShares::division)},
+        {"of_peak_global", of_peak(&PeakShares::global)},
+        {"limit", [](const Row& r) { return r.record.counted ? text(r.record.counted->of_peak.limit) : ""; }},
         {"device_key", [](const Row& r) { return text(r.record.params.device); }},
         {"platform", [](const Row& r) { return text(r.device.platform); }},
         {"driver_version", [](const Row& r) { return text(r.device.driver_version); }},

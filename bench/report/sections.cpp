@@ -11,8 +11,8 @@ std::vector<Section> report_sections(const ResultFile& result, const PublishedTa
     std::vector<Section> sections;
     for (Section& section : std::vector<Section>{
              times_section(result), fits_section(result), problems_section(result), devices_section(result),
-             kernels_section(result), peaks_section(result.peaks), published_section(result, published),
-             summary_section(result), remarks_section(result)})
+             kernels_section(result), peaks_section(result.peaks), limits_section(result.cases),
+             published_section(result, published), summary_section(result), remarks_section(result)})
         if (!section.grid.rows.empty() || (section.grid.columns.empty() && !section.notes.empty()))
             sections.push_back(std::move(section));
     return sections;

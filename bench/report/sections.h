@@ -20,6 +20,8 @@ Section devices_section(const ResultFile& result);
 Section kernels_section(const ResultFile& result);
 /// Peaks, one a row.
 Section peaks_section(const std::vector<DevicePeaks>& peaks);
+/// Counted work and shares of the peaks: the fastest case of each device, kernel and scene.
+Section limits_section(const std::vector<Record>& records);
 /// What the reader should know of the run: interruption, warnings, ICDs and devices that were not used.
 Section remarks_section(const ResultFile& result);
 

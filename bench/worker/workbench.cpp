@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "bench/measure/clock.h"
+#include "bench/measure/counted.h"
 #include "bench/measure/peaks.h"
 #include "bench/plan/scene_file.h"
 #include "bench/validate/validate.h"
@@ -20,7 +21,8 @@ namespace {
 
 constexpr double validation_s = 15;  ///< a slow device validates on the samples that this time gives
 constexpr Size probe_size{128, 128};
-constexpr int probe_spp = 2;  ///< of the small renders that are compared by their bits
+constexpr int probe_spp = 2;        ///< of the small renders that are compared by their bits
+constexpr double counted_s = 0.25;  ///< of a case's work that is counted: about a pass
 
 /// Samples a pixel of the validation, by the kernel's speed.
 int validation_spp(double ns_per_sample) {
@@ -107,6 +109,7 @@ void conclude(Record& record, Status status, const std::string& reason) {
     record.samples.clear();
     record.statistics.reset();
     record.energy.reset();
+    record.counted.reset();
     if (record.work) record.work->longest_launch_ns = 0;
     if (record.build) record.build->first_launch_ns = 0;
 }
@@ -370,6 +373,29 @@ void Workbench::measure(const Job& job, double time_left_s, const std::string& i
     if (!image_file.empty()) write_image(image_file, film.mean);
 }
 
+/// One pass of the case's work by an instrumented build of its kernel. What goes wrong is a reason.
+Counted Workbench::counted(const Job& job, const Record& record, const Stage& progress) {
+    Counted none;
+    progress("count", 0);
+    try {
+        const std::string options = built(job, job.work).program.options + count_option;
+        const std::string key = job.params.kernel + options;
+        auto found = counting_.find(key);
+        if (found == counting_.end()) {
+            const KernelSource source = kernel_source(job.kernel->file, options_.kernel_dir);
+            found = counting_.emplace(key, ocl::build(device_, source, options)).first;
+        }
+        const double ns_per_sample = record.statistics->median_ns / static_cast<double>(record.work->samples);
+        const auto render = job.kernel->make(device_, found->second, *job.scene, job.work);
+        render->advance(static_cast<std::uint64_t>(std::max(counted_s * 1e9 / ns_per_sample, 1.0)));
+        if (const auto counts = render->counts()) return counted_of(*counts, render->read_film().segments);
+        none.reason = "this kernel does not count";
+    } catch (const std::exception& e) {
+        none.reason = e.what();
+    }
+    return none;
+}
+
 void Workbench::attempt(const Job& job, double time_left_s, const std::string& image_file,
                         const Stage& progress, Record& record) {
     const std::string unsupported = unsupported_reason(*job.kernel, device_, *job.scene, job.work);
@@ -389,6 +415,7 @@ void Workbench::attempt(const Job& job, double time_left_s, const std::string& i
         conclude(record, Status::invalid, record.validation->reason);
     else if (record.status != Status::unstable)
         conclude(record, Status::ok, "");
+    if (options_.count && record.statistics) record.counted = counted(job, record, progress);
 }
 
 Record Workbench::run(const Case& params, double time_left_s, const std::string& image_file,

@@ -63,6 +63,7 @@ class Workbench {
     Measurement take_samples(const Job& job, Render& render, double time_left_s, const Stage& progress,
                              Record& record);
     void summarize(const Measurement& measurement, Record& record) const;
+    Counted counted(const Job& job, const Record& record, const Stage& progress);
     void check_film_of(const Job& job, const Film& film, Validation& validation) const;
     std::optional<Reference> stored_reference(const Job& job) const;
     Reference host_reference(const Job& job) const;
@@ -75,6 +76,7 @@ class Workbench {
     std::optional<EnergyMeter> energy_;  ///< once a case is to be timed
     std::map<std::string, Scene> scenes_;
     std::map<std::string, BuiltKernel> built_;       ///< by kernel and options
+    std::map<std::string, ocl::Program> counting_;   ///< instrumented builds, likewise
     std::map<std::string, Validation> validations_;  ///< by `Job::image_key`
     std::map<std::string, PassCutter> cutters_;      ///< by `Job::key`
     std::map<std::string, double>

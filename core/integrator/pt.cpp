@@ -66,7 +66,8 @@ class PtRender : public Render {
           job_(job),
           shape_(shape_of(device, scene, job)),
           pixels_(job.size.pixels()),
-          launcher_(device, job.variant) {
+          launcher_(device, job.variant),
+          counted_(device, program) {
         runs_ = static_cast<std::uint32_t>(
             divide_up(static_cast<std::uint64_t>(job.spp), shape_.samples_per_unit));
         shape_.max_units = std::min<std::uint64_t>(shape_.max_units, pixels_ * runs_);
@@ -85,7 +86,8 @@ class PtRender : public Render {
         stratify(launch_, launch_.spp);
         ocl::checked("pt buffers", device_.info.name, [&] {
             render_ = cl::Kernel(program.program, "pt_render");
-            film_ = make_pt_film(device_, program.program, job.size, job.variant.film_memory);
+            counted_.give(render_);
+            film_ = make_pt_film(device_, program.program, job.size, job.variant.film_memory, counted_);
             tallies_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, shape_.max_units * sizeof(PtTally));
             counters_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE,
                                    slices_of(shape_.max_units) * sizeof(std::uint32_t));
@@ -102,6 +104,7 @@ class PtRender : public Render {
             film_->clear(launcher_.queue());
             launcher_.queue().finish();
         });
+        counted_.clear();
         pixel_ = run_ = 0;
     }
 
@@ -144,6 +147,7 @@ class PtRender : public Render {
     }
 
     ocl::KernelFacts facts() const override { return kernel_facts(device_, render_); }
+    std::optional<Counts> counts() const override { return counted_.read(); }
     std::uint64_t device_bytes() const override {
         return film_->bytes() + shape_.max_units * sizeof(PtTally) +
                scene_bytes(launch_.opaque_spheres + launch_.two_sided_spheres);
@@ -242,6 +246,7 @@ class PtRender : public Render {
     std::uint32_t run_ = 0;    ///< its run of samples
     std::uint32_t runs_ = 0;
     Launcher launcher_;
+    CountedRows counted_;
     cl::Kernel render_;
     std::unique_ptr<PtFilm> film_;
     cl::Buffer tallies_, counters_, spheres_, surfaces_, sides_;

@@ -15,8 +15,10 @@ constexpr int add_work_group = 32;
 
 class BufferFilm : public PtFilm {
   public:
-    BufferFilm(const ocl::Device& device, const cl::Program& program, Size size)
-        : size_(size), add_(program, "pt_add"), film_(device.context, CL_MEM_READ_WRITE, bytes()) {}
+    BufferFilm(const ocl::Device& device, const cl::Program& program, Size size, const CountedRows& counted)
+        : size_(size), add_(program, "pt_add"), film_(device.context, CL_MEM_READ_WRITE, bytes()) {
+        counted.give(add_);
+    }
 
     void clear(const cl::CommandQueue& queue) override { queue.enqueueFillBuffer(film_, 0u, 0, bytes()); }
     void add(Launcher& launcher, const cl::Buffer& tallies, const PtLaunch& launch) override {
@@ -43,8 +45,9 @@ class BufferFilm : public PtFilm {
 /// other.
 class ImageFilm : public PtFilm {
   public:
-    ImageFilm(const ocl::Device& device, const cl::Program& program, Size size)
+    ImageFilm(const ocl::Device& device, const cl::Program& program, Size size, const CountedRows& counted)
         : size_(size), add_(program, "pt_add_to_image") {
+        counted.give(add_);
         for (cl::Image2D& image : images_)
             image = cl::Image2D(device.context, CL_MEM_READ_WRITE,
                                 cl::ImageFormat(CL_RGBA, CL_UNSIGNED_INT32), width(), height());
@@ -94,9 +97,9 @@ class ImageFilm : public PtFilm {
 }  // namespace
 
 std::unique_ptr<PtFilm> make_pt_film(const ocl::Device& device, const cl::Program& program, Size size,
-                                     FilmMemory memory) {
-    if (memory == FilmMemory::image) return std::make_unique<ImageFilm>(device, program, size);
-    return std::make_unique<BufferFilm>(device, program, size);
+                                     FilmMemory memory, const CountedRows& counted) {
+    if (memory == FilmMemory::image) return std::make_unique<ImageFilm>(device, program, size, counted);
+    return std::make_unique<BufferFilm>(device, program, size, counted);
 }
 
 std::uint64_t pt_film_largest(Size size, FilmMemory) { return size.pixels() * sizeof(PtTally); }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/image/image.h"
+#include "core/render/counted_rows.h"
 #include "core/render/launcher.h"
 #include "shared/pt.h"
 
@@ -21,8 +22,9 @@ class PtFilm {
     virtual std::uint64_t bytes() const = 0;
 };
 
+/// Its kernel leaves its counts in `counted`.
 std::unique_ptr<PtFilm> make_pt_film(const ocl::Device& device, const cl::Program& program, Size size,
-                                     FilmMemory memory);
+                                     FilmMemory memory, const CountedRows& counted);
 
 /// Device memory of a film, and its largest object, bytes.
 std::uint64_t pt_film_bytes(Size size, FilmMemory memory);

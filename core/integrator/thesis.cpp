@@ -51,9 +51,11 @@ class ThesisRender : public Render {
           job_(job),
           pixels_(job.size.pixels()),
           samples_per_launch_(paths_per_item(device, scene, job.path_length)),
-          launcher_(device, job.variant) {
+          launcher_(device, job.variant),
+          counted_(device, program) {
         ocl::checked("thesis buffers", device_.info.name, [&] {
             kernel_ = cl::Kernel(program.program, "thesis_render");
+            counted_.give(kernel_);
             std::vector<ThesisSphere> spheres = device_spheres(scene);
             spheres_ = cl::Buffer(device_.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
                                   spheres.size() * sizeof(ThesisSphere), spheres.data());
@@ -78,6 +80,7 @@ class ThesisRender : public Render {
                                                  states.data());
             launcher_.queue().finish();
         });
+        counted_.clear();
         done_ = 0;
     }
 
@@ -118,6 +121,7 @@ class ThesisRender : public Render {
     }
 
     ocl::KernelFacts facts() const override { return kernel_facts(device_, kernel_); }
+    std::optional<Counts> counts() const override { return counted_.read(); }
     std::uint64_t device_bytes() const override {
         return pixels_ * (sizeof(ptb_float4) + sizeof(std::int32_t)) +
                launch_.sphere_count * sizeof(ThesisSphere);
@@ -181,6 +185,7 @@ class ThesisRender : public Render {
     std::uint64_t pixels_, samples_per_launch_;
     std::uint64_t done_ = 0;
     Launcher launcher_;
+    CountedRows counted_;
     cl::Kernel kernel_;
     cl::Buffer result_, states_, spheres_;
     ThesisLaunch launch_{};

@@ -7,6 +7,7 @@
 
 #include "core/image/image.h"
 #include "core/ocl/program.h"
+#include "core/render/counted_rows.h"
 #include "core/render/variant.h"
 #include "core/scene/scene.h"
 
@@ -55,6 +56,8 @@ class Render {
     virtual Film read_film() = 0;
     virtual ocl::KernelFacts facts() const = 0;
     virtual std::uint64_t device_bytes() const = 0;
+    /// What the kernels did since the film was empty; nothing unless their program is an instrumented build.
+    virtual std::optional<Counts> counts() const { return std::nullopt; }
 };
 
 /// The four timestamps of finished events; zeros where the device does not profile.

@@ -4,6 +4,7 @@
    film in the order of their numbers by a second kernel: no bit of the image depends on the launch. */
 #include "pt/scatter.h"
 #include "pt/unit.h"
+#include "pt/work.h"
 
 /* PoCL stores every variable of a kernel's loop to memory at each turn, but not those of a function that it may not
    inline: 10.3 -> 11.7 Msamples/s (two AVX-512 cores). One that reads local memory it compiles to a crash (PoCL 3.1). */
@@ -20,7 +21,8 @@
 #endif
 
 PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_SPHERE_SPACE const PtSphere* spheres,
-                            PT_SURFACE_SPACE const PtSurface* surface_rows, Start start, PtLaunch launch) {
+                            PT_SURFACE_SPACE const PtSurface* surface_rows, Start start,
+                            PtLaunch launch COUNTED_PARAMETER) {
 #ifdef PT_FEW
     const Scene scene = {spheres, PT_OPAQUE, PT_FEW, launch.distance_mask};
 #else
@@ -45,6 +47,10 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
             const Surface surface = surface_of(&surfaces, sphere);
             gather_radiance(&path, &surfaces, sphere);
             path.throughput = vec_mul(path.throughput, surface.weight);
+            COUNTED_SEGMENTS(counted_lanes(alive))
+            COUNTED(1u, PT_STEP_WORK(scene.count))
+            COUNTED_LANES(alive, PT_SEGMENT_WORK(scene.count))
+            COUNTED_LANES(alive & (surface.ior > 0.0f), PT_REFRACTION_WORK)
             scatter(&path.ray, &path.inside, &hit, &surface, &path.random);
             turn += 1u;
             full = turn >= path.last_turn;
@@ -52,6 +58,7 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
             batch -= 1u;
         } while (batch > 0u && !lanes_any(ended));
         ended = lanes_meet(ended);
+        COUNTED_LANES(alive & ended, PT_PATH_WORK)
 
         if (PTB_LANES > 1 || lanes_any(ended)) {
             Vec radiance = gathered_radiance(&path, &surfaces, sphere);
@@ -65,6 +72,7 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
                 const lanes_mask finished = lacking & (unit.sample == unit.end);
                 if (lanes_any(finished)) {
                     write_units(&unit, finished, turn, tallies);
+                    COUNTED_LANES(alive & finished, PT_UNIT_WORK)
                     alive &= !finished | take_units(&unit, finished, turn, queue, &launch);
                     }
                 refill(&spare, &unit, &launch);
@@ -86,7 +94,8 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
 
 __kernel void pt_render(__global PtTally* tallies, __global uint* queues, PT_SPHERE_BUFFER const PtSphere* spheres,
                         PT_SURFACE_BUFFER const PtSurface* surfaces, __global const uint* camera_sides,
-                        const PtFewSpheres few, const PtLaunch launch) {
+                        const PtFewSpheres few, const PtLaunch launch COUNTED_ROWS) {
+    COUNTED_BEGIN
 #if PT_SPHERES == PT_IN_ARGUMENT
     PT_SPHERE_SPACE const PtSphere* all = few.sphere;
     (void)spheres;
@@ -106,11 +115,13 @@ __kernel void pt_render(__global PtTally* tallies, __global uint* queues, PT_SPH
     barrier(CLK_LOCAL_MEM_FENCE);
 #endif
     const Start start = {camera_sides, few.camera_gap};
-    trace_units(tallies, queues + launch.slice, all, rows, start, launch);
+    trace_units(tallies, queues + launch.slice, all, rows, start, launch COUNTED_ARGUMENT);
+    COUNTED_END
 }
 
 /* A pixel's sums so far, and the tallies of one launch in the order of the units. */
-static inline PtTally add_tallies(PtTally sum, __global const PtTally* tallies, uint pixel, const PtLaunch* launch) {
+static inline PtTally add_tallies(PtTally sum, __global const PtTally* tallies, uint pixel,
+                                  const PtLaunch* launch COUNTED_PARAMETER) {
     for (uint unit = pixel; unit < launch->units; unit += launch->pixels) {
         const PtTally tally = tallies[unit];
         sum.radiance += tally.radiance;
@@ -118,26 +129,32 @@ static inline PtTally add_tallies(PtTally sum, __global const PtTally* tallies, 
         sum.samples += tally.samples;
         sum.segments += tally.segments;
         sum.full_length_paths += tally.full_length_paths;
+        COUNTED(1u, PT_ADD_WORK)
     }
     return sum;
 }
 
 /* Adds the tallies of one launch to the film, a pixel a work-item. */
-__kernel void pt_add(__global PtTally* film, __global const PtTally* tallies, const PtLaunch launch) {
+__kernel void pt_add(__global PtTally* film, __global const PtTally* tallies, const PtLaunch launch COUNTED_ROWS) {
     const uint pixel = (uint)get_global_id(0);
     if (pixel >= launch.pixels) return;
-    film[launch.first_pixel + pixel] = add_tallies(film[launch.first_pixel + pixel], tallies, pixel, &launch);
+    COUNTED_BEGIN
+    film[launch.first_pixel + pixel] =
+        add_tallies(film[launch.first_pixel + pixel], tallies, pixel, &launch COUNTED_ARGUMENT);
+    COUNTED(1u, PT_PIXEL_WORK)
+    COUNTED_END
 }
 
 #ifdef __IMAGE_SUPPORT__
 
 /* The same for a film in an image, of which the launch may have traced a part: the sums go to another image. */
 __kernel void pt_add_to_image(__read_only image2d_t film, __write_only image2d_t sums, __global const PtTally* tallies,
-                              const PtLaunch launch) {
+                              const PtLaunch launch COUNTED_ROWS) {
     const sampler_t nearest = CLK_NORMALIZED_COORDS_FALSE | CLK_ADDRESS_NONE | CLK_FILTER_NEAREST;
     const int width = get_image_width(film), rows = get_image_height(film) / PT_FILM_LAYERS;
     const int pixel = (int)get_global_id(0);
     if (pixel >= width * rows) return;
+    COUNTED_BEGIN
     const int2 at = (int2)(pixel % width, pixel / width), below = (int2)(0, rows);
     const uint4 counts = read_imageui(film, nearest, at + 2 * below);
     PtTally sum;
@@ -147,10 +164,12 @@ __kernel void pt_add_to_image(__read_only image2d_t film, __write_only image2d_t
     sum.segments = counts.y;
     sum.full_length_paths = counts.z;
     const uint number = (uint)pixel - launch.first_pixel; /* huge for a pixel before the launch's */
-    if (number < launch.pixels) sum = add_tallies(sum, tallies, number, &launch);
+    if (number < launch.pixels) sum = add_tallies(sum, tallies, number, &launch COUNTED_ARGUMENT);
     write_imageui(sums, at, as_uint4(sum.radiance));
     write_imageui(sums, at + below, as_uint4(sum.squares));
     write_imageui(sums, at + 2 * below, (uint4)(sum.samples, sum.segments, sum.full_length_paths, 0u));
+    COUNTED(1u, PT_PIXEL_WORK)
+    COUNTED_END
 }
 
 #endif

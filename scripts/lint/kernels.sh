@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Compiles every kernel alone as strict OpenCL C 1.2, for every lane width and for what scenes and machines switch on.
+# Holds that a build that does not count has no token of what counts.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -29,6 +30,7 @@ while IFS= read -r kernel; do
         if [[ $lanes -eq 32 && $kernel == */peaks.cl ]]; then continue; fi # it needs built-ins, which end at 16
         portable=(-target spir64 "-DPTB_LANES=$lanes")
         check "$kernel" "${portable[@]}" -DPT_GLOWS
+        check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3 -DPT_SPHERES=2 -DPT_SURFACES=2 -DPT_GLOWS -DPTB_COUNT
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_PORTABLE
         check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3 -DPT_SPHERES=2 -DPT_SURFACES=2 -DPT_FILTER=1
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_STRICT -DPT_SPHERES=4 -DPT_SURFACES=4 -DPTB_PARK_MILLER
@@ -37,9 +39,16 @@ while IFS= read -r kernel; do
         for machine in '-mavx512f -mavx512vl' '-mavx2 -mfma'; do
             # shellcheck disable=SC2086 # two words
             check "$kernel" -target x86_64-unknown-linux-gnu $machine "-DPTB_LANES=$lanes" "${few[@]}"
+            # shellcheck disable=SC2086 # two words
+            check "$kernel" -target x86_64-unknown-linux-gnu $machine "-DPTB_LANES=$lanes" "${few[@]}" -DPTB_COUNT
         done
     done
     check "$kernel" -target spir64 "${few[@]}" -DPT_CARRIED -DPT_SURFACES=3 -DPT_BATCH=6
+    check "$kernel" -target spir64 "${few[@]}" -DPT_CARRIED -DPT_SURFACES=3 -DPT_BATCH=6 -DPTB_COUNT
+    if "$clang" -x cl -E -P -Ikernels "$kernel" | grep -i counted; then
+        echo "in $kernel without PTB_COUNT" >&2
+        failures=$((failures + 1))
+    fi
 done < <(find kernels -name '*.cl' | sort)
 
 echo "$checks compilations with $clang, $failures failed"

@@ -44,6 +44,29 @@ class Measuring(CliTest):
                          dict.fromkeys(("fma", "sqrt", "division", "global", "constant", "launch"), ""))
         self.assertRegex(self.output, r"pocl:1 +fma +[\d.]+ +GFLOP/s")
 
+    def test_counts_and_their_shares_of_the_peaks_are_in_the_file_and_in_the_report(self):
+        result = self.run_cases("--spp", "20", "--samples", "1", "--lanes", "1,8", "--peaks")
+        peaks = {peak["name"]: peak["value"] for peak in result["peaks"][0]["peaks"]}
+        alone, together = sorted(result["cases"], key=lambda case: case["work"]["lanes"])
+        for case in (alone, together):
+            counted, shares = case["counted"], case["counted"]["of_peak"]
+            self.assertGreater(counted["segments"], 0)
+            rate = counted["flops_per_segment"] * case["statistics"]["msegments_per_s"] / 1e3
+            self.assertAlmostEqual(shares["fma"] * peaks["fma"] / rate, 1)
+            self.assertEqual(shares["limit_share"], max(
+                shares["fma"], shares["sqrt"] + shares["division"], shares["global"]))
+        self.assertIsNone(alone["counted"]["lanes_alive"])
+        self.assertIn("one lane a work-item", alone["counted"]["reason"])
+        self.assertTrue(0 < together["counted"]["lanes_alive"] <= 1, together["counted"])
+        self.assertEqual(together["counted"]["reason"], "")
+        # The same scene at one path length: roots of a segment are those of its spheres, and little else.
+        self.assertTrue(10 < together["counted"]["roots_per_segment"] < 12, together["counted"])
+        self.assertRegex(self.output, r"pocl:1 +pt +thesis +\d")
+
+    def test_nothing_is_counted_unless_asked_for(self):
+        (case,) = self.run_cases("--spp", "1", "--samples", "1")["cases"]
+        self.assertIsNone(case["counted"])
+
     def test_energy_has_joules_or_a_reason(self):
         (case,) = self.run_cases("--spp", "1", "--samples", "2")["cases"]
         energy = case["energy"]

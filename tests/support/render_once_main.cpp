@@ -1,5 +1,6 @@
-// render_once KERNEL LANES SCENE: renders 8x8 pixels, 2 samples each, on the first device; SCENE is a shipped
-// scene or "balls:N". For tools that watch a whole process, such as Oclgrind. Prints the counts.
+// render_once KERNEL LANES SCENE [SPP PATH_LENGTH [OPTIONS]]: renders 8x8 pixels, 2 samples each and paths of
+// 8 segments unless told otherwise, on the first device; SCENE is a shipped scene or "balls:N", OPTIONS are
+// more of the build. For tools that watch a whole process, such as Oclgrind. Prints the counts.
 #include <cstring>
 #include <exception>
 #include <string>
@@ -32,16 +33,22 @@ ptb::Scene scene_of(const std::string& name) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4) return 2;
+    if (argc != 4 && argc != 6 && argc != 7) return 2;
     try {
         const ptb::ocl::Device device = ptb::ocl::open_device(ptb::ocl::query_devices().at(0).key);
         ptb::RenderJob job;
         job.size = {8, 8};
-        job.spp = 2;
-        job.path_length = 8;
+        job.spp = argc > 4 ? std::stoi(argv[4]) : 2;
+        job.path_length = argc > 4 ? std::stoi(argv[5]) : 8;
         job.lanes = std::stoi(argv[2]);
-        const ptb::Film film = ptb::render_film(device, argv[1], scene_of(argv[3]), job);
+        const auto render =
+            ptb::make_render(device, argv[1], scene_of(argv[3]), job, argc > 6 ? argv[6] : "");
+        const ptb::Film film = ptb::finish(*render);
         fmt::print("{} on {}: {} segments\n", argv[1], device.info.name, film.segments);
+        if (const auto counts = render->counts())
+            fmt::print("counted: {} segments, {} lanes, {} flops, {} roots, {} divisions, {} bytes\n",
+                       counts->segments, counts->lanes, counts->flops, counts->roots, counts->divisions,
+                       counts->bytes);
         return film.segments >= 128 ? 0 : 1;
     } catch (const std::exception& error) {
         fmt::print(stderr, "error: {}\n", error.what());

@@ -99,5 +99,16 @@ TEST(Csv, joules_are_empty_where_they_could_not_be_read) {
     EXPECT_THAT(second_line(csv(f)), HasSubstr(",0.500000,163840.000000,120.000000,"));
 }
 
+TEST(Csv, counts_and_shares_are_empty_where_there_are_none) {
+    ResultFile f = one_case();
+    EXPECT_THAT(second_line(csv(f)), HasSubstr(",,,,,,,,,,,,," + f.cases[0].params.device));
+    f.cases[0].counted = Counted{1000, 234.5, 10, 0, 0.125, {}, "", {0.25, 0.5, {}, 0.001, "roots", 0.5}};
+    EXPECT_THAT(csv(f), HasSubstr(",flops_per_segment,roots_per_segment,divisions_per_segment,"
+                                  "bytes_per_segment,lanes_alive,of_peak_fma,of_peak_sqrt,of_peak_division,"
+                                  "of_peak_global,limit,"));
+    EXPECT_THAT(second_line(csv(f)),
+                HasSubstr(",234.500000,10.000000,0.000000,0.125000,,0.250000,0.500000,,0.001000,roots,"));
+}
+
 }  // namespace
 }  // namespace ptb

@@ -297,5 +297,26 @@ TEST(Table, peaks_have_a_row_each_and_failures_say_why) {
     EXPECT_THAT(section.notes, ElementsAre("gpu:1: killed by SIGSEGV (11)"));
 }
 
+TEST(Table, limits_are_of_each_kernels_fastest_case) {
+    std::vector<Record> records = {timed_record("gpu:0", "pt", 10, 5), timed_record("gpu:0", "pt", 100, 40),
+                                   timed_record("gpu:0", "thesis", 10, 50),
+                                   timed_record("gpu:1", "pt", 10, 50)};
+    for (std::size_t i = 0; i < 3; ++i) records[i].counted = Counted{1000, 234.5, 10, 0, 0.125, 0.5, "", {}};
+    records[0].statistics->msegments_per_s = 10;
+    records[1].statistics->msegments_per_s = 12;
+    records[1].counted->of_peak = {0.25, 0.5, 0.0, 0.00125, "roots", 0.5};
+    records[2].counted->lanes_alive.reset();
+    records[2].counted->reason = "cannot be seen";
+    records[2].statistics->msegments_per_s = 2;
+    const Section section = limits_section(records);
+    ASSERT_EQ(section.grid.rows.size(), 2u);
+    EXPECT_THAT(section.grid.rows[0],
+                ElementsAre("gpu:0", "pt", "thesis", testing::_, "12.00", "234.5", "10.00", "0", "0.125",
+                            "50.0 %", "25.0 %", "50.0 %", "0.0 %", "0.1 %", "roots 50.0 %"));
+    EXPECT_EQ(section.grid.rows[1][9], "-");
+    EXPECT_EQ(section.grid.rows[1].back(), "-");
+    EXPECT_THAT(section.notes, ElementsAre("gpu:0, thesis: cannot be seen"));
+}
+
 }  // namespace
 }  // namespace ptb

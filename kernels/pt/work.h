@@ -1,0 +1,86 @@
+/* The arithmetic of each step of `pt`, for the build that counts: additions and multiplications, roots, divisions of
+   one lane. Held against the instructions that Oclgrind sees by tests/render/counted.py. */
+#ifndef PTB_PT_WORK_H
+#define PTB_PT_WORK_H
+
+#include "lib/counted.h"
+#include "pt/scene.h"
+
+/* vec_normalize: a scalar product, three products, and lib/roots.h's 1 / sqrt. */
+#if PTB_PTX
+#define PT_RSQRT_FLOPS 0u
+#define PT_RSQRT_ROOTS 1u
+#define PT_RSQRT_DIVISIONS 0u
+#elif PTB_X86 && (PTB_LANES == PTB_X86 || PTB_LANES == 2 * PTB_X86)
+#define PT_RSQRT_FLOPS 5u /* an estimate, and a Newton step */
+#define PT_RSQRT_ROOTS 0u
+#define PT_RSQRT_DIVISIONS 0u
+#else
+#define PT_RSQRT_FLOPS 0u
+#define PT_RSQRT_ROOTS 1u
+#define PT_RSQRT_DIVISIONS 1u
+#endif
+#define PT_NORMALIZE_FLOPS (8u + PT_RSQRT_FLOPS)
+
+/* lib/sphere_direction.h: z and the circle's radius there, sine and cosine. */
+#if PTB_PTX
+#define PT_SPHERE_FLOPS (4u + 3u)
+#define PT_SPHERE_ROOTS (1u + 2u)
+#else
+#define PT_SPHERE_FLOPS (4u + 22u)
+#define PT_SPHERE_ROOTS 1u
+#endif
+
+/* pt/hit.h: what a ray prepares; what a sphere costs, the move to the hit included where it carries gaps. */
+#ifdef PT_CARRIED
+#define PT_LINE_FLOPS 5u
+#define PT_TEST_FLOPS (6u + 2u + 1u + 4u)
+#else
+#define PT_LINE_FLOPS 13u
+#define PT_TEST_FLOPS (6u + 9u + 1u)
+#endif
+
+#ifdef PT_GLOWS
+#define PT_GATHER_FLOPS 6u /* a segment */
+#define PT_END_FLOPS 0u    /* a path */
+#else
+#define PT_GATHER_FLOPS 0u
+#define PT_END_FLOPS 3u
+#endif
+
+/* pt/scatter.h but for refraction: the move, the normal, the cosine, the mix' normal and its sum. */
+#define PT_SCATTER_FLOPS (6u + 6u + 5u + 3u + 15u)
+
+/* Where in its pixel a sample lies, and in the image. */
+#if defined(PT_FILTER) && PT_FILTER == PT_CENTRE
+#define PT_PLACE_FLOPS 2u
+#elif defined(PT_FILTER) && PT_FILTER == PT_STRATIFIED
+#define PT_PLACE_FLOPS 8u
+#else
+#define PT_PLACE_FLOPS 4u
+#endif
+
+/* Bytes that rays read of global memory. Copies of the scene, made once a work-group or work-item, are not counted. */
+#define PT_SPHERE_BYTES (PT_SPHERES == PT_IN_GLOBAL ? (uint)sizeof(PtSphere) : 0u)
+#define PT_SURFACE_BYTES(read) (PT_SURFACES == PT_IN_GLOBAL ? (read) : 0u)
+
+/* A segment, throughput too, and the numbers of its surface. */
+#define PT_SEGMENT_WORK(spheres)                                                                             \
+    (PT_LINE_FLOPS + (spheres) * PT_TEST_FLOPS + PT_GATHER_FLOPS + 3u + PT_SCATTER_FLOPS + PT_SPHERE_FLOPS + \
+     PT_NORMALIZE_FLOPS),                                                                                    \
+        ((spheres) + PT_SPHERE_ROOTS + PT_RSQRT_ROOTS), PT_RSQRT_DIVISIONS, PT_SURFACE_BYTES(52u)
+/* The spheres, which all lanes of a work-item share. */
+#define PT_STEP_WORK(spheres) 0u, 0u, 0u, (spheres) * PT_SPHERE_BYTES
+/* At a dielectric. */
+#define PT_REFRACTION_WORK 21u, 1u, 0u, 0u
+/* A path: its radiance and square added, and the next one's camera ray. */
+#define PT_PATH_WORK \
+    (PT_END_FLOPS + 9u + PT_PLACE_FLOPS + 12u + PT_NORMALIZE_FLOPS), PT_RSQRT_ROOTS, PT_RSQRT_DIVISIONS, \
+        PT_SURFACE_BYTES(12u)
+/* A unit: its tally. */
+#define PT_UNIT_WORK 0u, 0u, 0u, (uint)sizeof(PtTally)
+/* A tally added to a pixel, and a pixel of the film. */
+#define PT_ADD_WORK 6u, 0u, 0u, (uint)sizeof(PtTally)
+#define PT_PIXEL_WORK 0u, 0u, 0u, 2u * (uint)sizeof(PtTally)
+
+#endif
