@@ -102,6 +102,36 @@ class Page(unittest.TestCase):
                                                   "130246", "1405217"])
         self.assertEqual(set(column("run")[-9:]), {"2016"})
 
+    def test_a_roofline_has_the_measured_roofs_and_each_kernel_in_words_too(self):
+        def count(result):
+            first = result["cases"][0]
+            names = {"fma": 100, "global": 20}
+            result["peaks"] = [{"device": first["params"]["device"], "reason": "", "peaks": [
+                {"name": name, "unit": "", "value": value, "low": None, "high": None, "n": 10, "timer": "event",
+                 "reason": ""} for name, value in names.items()]}]
+            first["statistics"]["msegments_per_s"] = 150
+            first["counted"] = {
+                "segments": 1000, "flops_per_segment": 200, "roots_per_segment": 10, "divisions_per_segment": 0,
+                "bytes_per_segment": 4, "lanes_alive": 0.75, "reason": "",
+                "of_peak": {"fma": 0.3, "sqrt": None, "division": None, "global": 0.03, "limit": "fma",
+                            "limit_share": 0.3}}
+
+        file = page_of("report", str(variant("roofline", count)))
+        for width, scheme in ((1280, "light"), (1280, "dark"), (380, "light"), (380, "dark")):
+            show(file, width, scheme)
+            self.assert_clean()
+            self.assertLessEqual(BROWSER.evaluate("document.documentElement.scrollWidth"), width)
+            BROWSER.screenshot(SHOTS / f"roofline-{width}-{scheme}.png")
+        words = BROWSER.evaluate("[...document.querySelectorAll('#charts canvas')].map((c) => c.ariaLabel)")
+        (roofline,) = [text for text in words if text.startswith("Roofline of")]
+        kernel = SCRATCH.result()["cases"][0]["params"]["kernel"]
+        self.assertIn("at most 100 GFLOP/s and 20.0 GB/s", roofline)
+        self.assertIn(f"{kernel} 30.0 GFLOP/s at 50.0 flops a byte; nearest limit fma, 30.0 %", roofline)
+        sets = BROWSER.evaluate("""[...document.querySelectorAll('#charts canvas')].map((c) => Chart.getChart(c))
+            .find((chart) => chart.data.datasets[0].label.startsWith('roofs')).data.datasets.map((set) => set.data)""")
+        self.assertEqual(sets[0], [{"x": 1, "y": 20}, {"x": 5, "y": 100}, {"x": 100, "y": 100}])
+        self.assertEqual([(place["x"], place["y"]) for place in sets[1]], [(50, 30)])
+
     def test_sorting_and_filtering(self):
         show(SCRATCH.work / "page.html")
         press = "document.querySelectorAll('#times th button')[4].click()"

@@ -35,7 +35,9 @@ TEST(Counted, counting_changes_no_bit_and_counts_the_films_segments) {
         const Counts counts = counting->counts().value();
         EXPECT_EQ(counts.segments, film.segments);
         EXPECT_EQ(counts.lanes % static_cast<std::uint64_t>(job.lanes), 0u);
-        if (job.lanes > 1) EXPECT_GE(counts.lanes, counts.segments);
+        if (job.lanes > 1) {
+            EXPECT_GE(counts.lanes, counts.segments);
+        }
     });
 }
 

@@ -60,8 +60,8 @@ std::string pictures(const PageRun& run, std::size_t) {
 std::string tables(const PageRun& run, std::size_t) {
     std::string html;
     const ResultFile& r = run.result;
-    for (const Section& section :
-         {devices_section(r), kernels_section(r), fits_section(r), problems_section(r)})
+    for (const Section& section : {devices_section(r), kernels_section(r), peaks_section(r.peaks),
+                                   limits_section(r.cases), fits_section(r), problems_section(r)})
         if (!section.grid.rows.empty()) html += to_html(section);
     return html + work_group_maps(r) + to_html(remarks_section(r));
 }
@@ -91,8 +91,9 @@ std::string page(const std::vector<PageRun>& runs, const PublishedTable& publish
              "<p class=\"no-script\">The result files are in this page; JavaScript unpacks them.</p>\n");
     std::vector<std::string> data;
     for (const PageRun& run : runs) data.push_back(packed(run.result));
-    return framed(title(runs), main, data,
-                  {"chart.min.js", "data.js", "tables.js", "pictures.js", "charts.js", "page.js"});
+    return framed(
+        title(runs), main, data,
+        {"chart.min.js", "data.js", "tables.js", "pictures.js", "charts.js", "roofline.js", "page.js"});
 }
 
 }  // namespace ptb

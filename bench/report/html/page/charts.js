@@ -183,7 +183,7 @@ function setUpCharts(runs) {
   themeCharts();
   const points = timedPoints(runs);
   const figures = [...sppChart(points), ...scalingChart(points, runs), ...workGroupChart(points), ...historyChart(points),
-    ...samplesChart(runs)];
+    ...rooflineCharts(runs), ...samplesChart(runs)];
   document.getElementById('charts').append(element('div', {class: 'charts'}, ...figures));
   drawIn(document);
   const redraw = () => {
