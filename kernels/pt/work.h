@@ -48,8 +48,8 @@
 #define PT_END_FLOPS 3u
 #endif
 
-/* pt/scatter.h but for refraction: the move, the normal, the cosine, the mix' normal and its sum. */
-#define PT_SCATTER_FLOPS (6u + 6u + 5u + 3u + 15u)
+/* pt/scatter.h but for refraction: the move, from the centre, the cosine, the normal's share and the sum. */
+#define PT_SCATTER_FLOPS (6u + 3u + 6u + 2u + 6u)
 
 /* Where in its pixel a sample lies, and in the image. */
 #if defined(PT_FILTER) && PT_FILTER == PT_CENTRE
@@ -68,11 +68,11 @@
 #define PT_SEGMENT_WORK(spheres)                                                                             \
     (PT_LINE_FLOPS + (spheres) * PT_TEST_FLOPS + PT_GATHER_FLOPS + 3u + PT_SCATTER_FLOPS + PT_SPHERE_FLOPS + \
      PT_NORMALIZE_FLOPS),                                                                                    \
-        ((spheres) + PT_SPHERE_ROOTS + PT_RSQRT_ROOTS), PT_RSQRT_DIVISIONS, PT_SURFACE_BYTES(52u)
+        ((spheres) + PT_SPHERE_ROOTS + PT_RSQRT_ROOTS), PT_RSQRT_DIVISIONS, PT_SURFACE_BYTES(44u)
 /* The spheres, which all lanes of a work-item share. */
 #define PT_STEP_WORK(spheres) 0u, 0u, 0u, (spheres) * PT_SPHERE_BYTES
 /* At a dielectric. */
-#define PT_REFRACTION_WORK 21u, 1u, 0u, 0u
+#define PT_REFRACTION_WORK 17u, 1u, 0u, 0u
 /* A path: its radiance and square added, and the next one's camera ray. */
 #define PT_PATH_WORK \
     (PT_END_FLOPS + 9u + PT_PLACE_FLOPS + 12u + PT_NORMALIZE_FLOPS), PT_RSQRT_ROOTS, PT_RSQRT_DIVISIONS, \
