@@ -4,9 +4,10 @@ target_link_libraries(render_once PRIVATE ptbench_core ptbench_warnings)
 target_compile_definitions(render_once PRIVATE PTB_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
 function(ptbench_oclgrind kernel lanes scene)
-  string(REPLACE ":" "_" name oclgrind.${kernel}_lanes${lanes}_${scene})
+  string(REPLACE ";" "_" name "oclgrind.${kernel}_lanes${lanes}_${scene};${ARGN}")
+  string(REGEX REPLACE "[:=]" "_" name ${name})
   add_test(NAME ${name} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/render/oclgrind.sh $<TARGET_FILE:render_once> ${kernel}
-                                ${lanes} ${scene})
+                                ${lanes} ${scene} ${ARGN})
   set_tests_properties(${name} PROPERTIES LABELS oclgrind TIMEOUT 300 SKIP_RETURN_CODE 77)
 endfunction()
 
@@ -15,6 +16,10 @@ foreach(lanes 1 4 16)
   ptbench_oclgrind(pt ${lanes} thesis)
   ptbench_oclgrind(pt ${lanes} balls:40)
 endforeach()
+ptbench_oclgrind(thesis 1 thesis queue=out_of_order dispatch=tasks)
+ptbench_oclgrind(pt 1 thesis scene_memory=local rng=park_miller)
+ptbench_oclgrind(pt 4 thesis scene_memory=private pixel_filter=stratified queue=out_of_order)
+ptbench_oclgrind(pt 1 thesis film_memory=image build=strict)
 
 # What kernels count of themselves, against the instructions.
 function(ptbench_oclgrind_counts kernel scene)

@@ -23,6 +23,8 @@ std::string note(const Record& record) {
     if (record.statistics && record.statistics->timer == "host")
         parts.push_back(fmt::format("timer: host ({})", record.statistics->timer_reason));
     if (record.statistics && record.statistics->stop_reason == "low_n") parts.push_back("low n");
+    if (record.statistics && record.work && record.work->overlap)
+        parts.push_back(fmt::format("launches overlapped {:.0f} %", 100 * *record.work->overlap));
     if (record.statistics && record.status == Status::ok && record.statistics->flagged > 0)
         parts.push_back(fmt::format("{} flagged", record.statistics->flagged));
     return fmt::format("{}", fmt::join(parts, ", "));

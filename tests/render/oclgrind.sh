@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# oclgrind.sh RENDER_ONCE KERNEL LANES SCENE: a small render under Oclgrind, which must find no race, no use of
+# oclgrind.sh RENDER_ONCE KERNEL LANES SCENE [AXIS=VALUE...]: a small render under Oclgrind, which must find no race, no use of
 # uninitialised values and no access out of bounds.
 set -euo pipefail
 

@@ -1,6 +1,6 @@
 // render_once KERNEL LANES SCENE [SPP PATH_LENGTH [OPTIONS]]: renders 8x8 pixels, 2 samples each and paths of
 // 8 segments unless told otherwise, on the first device; SCENE is a shipped scene or "balls:N", OPTIONS are
-// more of the build. For tools that watch a whole process, such as Oclgrind. Prints the counts.
+// more of the build; words like "rng=park_miller", anywhere, choose a variant. For tools that watch a whole process, such as Oclgrind. Prints the counts.
 #include <cstring>
 #include <exception>
 #include <string>
@@ -30,9 +30,24 @@ ptb::Scene scene_of(const std::string& name) {
     return ptb::shipped_scene(name);
 }
 
+/// Takes the words like "rng=park_miller" from the arguments.
+ptb::Variant take_variant(std::vector<char*>& arguments) {
+    ptb::Variant variant;
+    std::erase_if(arguments, [&](const std::string& word) {
+        for (const ptb::VariantAxis& axis : ptb::variant_axes())
+            for (std::size_t value = 0; value < axis.values.size(); ++value)
+                if (word == axis.name + "=" + axis.values[value]) return axis.set(variant, value), true;
+        return false;
+    });
+    return variant;
+}
+
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int all_arguments, char** words) {
+    std::vector<char*> argv(words, words + all_arguments);
+    const ptb::Variant variant = take_variant(argv);
+    const std::size_t argc = argv.size();
     if (argc != 4 && argc != 6 && argc != 7) return 2;
     try {
         const ptb::ocl::Device device = ptb::ocl::open_device(ptb::ocl::query_devices().at(0).key);
@@ -41,6 +56,7 @@ int main(int argc, char** argv) {
         job.spp = argc > 4 ? std::stoi(argv[4]) : 2;
         job.path_length = argc > 4 ? std::stoi(argv[5]) : 8;
         job.lanes = std::stoi(argv[2]);
+        job.variant = variant;
         const auto render =
             ptb::make_render(device, argv[1], scene_of(argv[3]), job, argc > 6 ? argv[6] : "");
         const ptb::Film film = ptb::finish(*render);
