@@ -25,7 +25,7 @@ float camera_gap(const Scene& scene, const Sphere& sphere) {
 /// The bit for a side's number.
 float side_bit(float number) {
     const auto side = std::bit_cast<std::uint32_t>(number);
-    return std::bit_cast<float>(side == PT_OPAQUE_SIDE ? 0u : 1u << side);
+    return std::bit_cast<float>(side == PT_OPAQUE_SIDE ? 0u : 0x80000000u >> side);
 }
 
 PtSurface device_surface(const Sphere& sphere, const Material& material, std::uint32_t side) {
@@ -35,17 +35,17 @@ PtSurface device_surface(const Sphere& sphere, const Material& material, std::ui
                         : mirror                         ? material.reflectance
                                                          : material.albedo;
     const double ior = dielectric ? material.ior : std::numeric_limits<double>::quiet_NaN();
-    const float keeps = mirror || dielectric ? 1.0f : 0.0f;
+    const float kind = !material.scatters ? -1.0f : mirror || dielectric ? 1.0f : 0.0f;
     return {device_vector(sphere.centre, 1 / sphere.radius),
             device_vector(weight, ior),
             device_vector(material.radiance),
-            {keeps, 1 - keeps, material.scatters ? 0.0f : 1.0f, std::bit_cast<float>(side)},
-            {static_cast<float>(1 / ior), 0, 0, 0}};
+            {kind, static_cast<float>(1 / ior), 0, std::bit_cast<float>(side)},
+            {}};
 }
 
 PtSurface background() {
     PtSurface surface{};
-    surface.traits = {0, 1, 1, std::bit_cast<float>(PT_OPAQUE_SIDE)};
+    surface.traits = {-1, 0, 0, std::bit_cast<float>(PT_OPAQUE_SIDE)};
     return surface;
 }
 
@@ -73,7 +73,7 @@ PtScene make_pt_scene(const Scene& scene) {
                 continue;
             }
             result.camera_sides.resize(result.two_sided / 32 + 1);
-            result.camera_sides.back() |= (inside ? 1u : 0u) << (result.two_sided % 32);
+            result.camera_sides.back() |= (inside ? 0x80000000u : 0u) >> (result.two_sided % 32);
             ++result.two_sided;
         }
     }

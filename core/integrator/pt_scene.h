@@ -16,7 +16,7 @@ struct PtScene {
     PtFewSpheres few{};               ///< the same spheres, up to PT_FEW_MOST of them
     std::vector<PtSurface> surfaces;  ///< one a sphere, and the background's
     std::vector<std::uint32_t>
-        camera_sides;  ///< bit j: the camera is inside two-sided sphere j; at least one word
+        camera_sides;  ///< bit j from the top: the camera is inside two-sided sphere j; at least one word
     std::uint32_t opaque = 0, two_sided = 0;
 };
 

@@ -10,7 +10,7 @@
     S(PtbCamera) F(PtbCamera, position) F(PtbCamera, corner) F(PtbCamera, step_x) F(PtbCamera, step_y) \
     S(PtSphere) F(PtSphere, centre_k)                                                                 \
     S(PtSurface) F(PtSurface, centre_inverse_radius) F(PtSurface, weight) F(PtSurface, radiance)      \
-    F(PtSurface, traits) F(PtSurface, optics)                                                                              \
+    F(PtSurface, traits) F(PtSurface, padding)                                                        \
     S(PtFewSpheres) F(PtFewSpheres, sphere) F(PtFewSpheres, camera_gap)                               \
     S(PtLaunch) F(PtLaunch, camera) F(PtLaunch, width) F(PtLaunch, first_pixel) F(PtLaunch, pixels)   \
     F(PtLaunch, first_run) F(PtLaunch, units) F(PtLaunch, samples_per_unit) F(PtLaunch, spp)          \

@@ -37,27 +37,29 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
     uint turn = 0u;
     while (lanes_any(alive)) {
         lanes_u sphere;
-        lanes_mask full, ended;
-        uint batch = PT_BATCH;
+        lanes_mask ends;
+        const uint stop = min(turn + PT_BATCH, LANE(path.last_turn, 0));
         do {
+            Draw draw;
+            if (PT_DRAWS_EARLY) draw = hold_draw(draw_bounce(&path.random));
             const Hit hit = nearest_hit(scene, &path.ray, &path.inside);
+            if (!PT_DRAWS_EARLY) draw = draw_bounce(&path.random);
             sphere = hit_sphere(&hit);
             const Surface surface = surface_of(&surfaces, sphere);
             gather_radiance(&path, &surfaces, sphere);
             path.throughput = vec_mul(path.throughput, surface.weight);
-            scatter(&path.ray, &path.inside, &hit, &surface, &path.random);
+            scatter(&path.ray, &path.inside, &hit, &surface, &draw);
             turn += 1u;
-            full = turn >= path.last_turn;
-            ended = full | (surface.ends > 0.0f);
-            batch -= 1u;
-        } while (batch > 0u && !lanes_any(ended));
-        ended = lanes_meet(ended);
+            ends = surface.kind < 0.0f;
+        } while (PT_BATCH > 1 && turn < stop && !lanes_any(ends));
+        const lanes_mask full = lanes_hold(turn >= path.last_turn);
+        const lanes_mask ended = lanes_meet(lanes_hold(full | ends));
 
-        if (PTB_LANES > 1 || lanes_any(ended)) {
+        if (lanes_any(ended)) {
             Vec radiance = gathered_radiance(&path, &surfaces, sphere);
             if (PTB_LANES == 1 || lanes_any(full | (ended & !spare.ready))) {
                 const lanes_mask lacking = MASK_OF_MANY(alive & ended & !spare.ready);
-                add_samples(&unit, spare.radiance, !spare.ready);
+                if (PTB_LANES > 1) add_samples(&unit, spare.radiance, !spare.ready);
                 add_samples(&unit, radiance, lacking);
                 radiance = vec_select(radiance, vec_of((float4)(0.0f)), lacking);
                 spare.radiance = vec_of((float4)(0.0f));

@@ -62,13 +62,13 @@ typedef struct Scene {
     uint distance_mask; /* see pt/hit.h */
 } Scene;
 
-/* Which two-sided spheres a path is inside: a bit each. Only transmission changes it. */
+/* Which two-sided spheres a path is inside: a bit each, from the top. Only transmission changes it. */
 typedef struct Sides {
     lanes_u word[PT_SIDE_WORDS];
 } Sides;
 
 static inline lanes_mask is_inside(const Sides* inside, uint number) {
-    return (inside->word[number / 32u] & (lanes_u)(1u << (number % 32u))) != (lanes_u)(0u);
+    return lanes_as_i(inside->word[number / 32u] << (number % 32u)) < 0;
 }
 
 /* The same for a sphere of each lane's own, as its surface names it: by its number (PT_OPAQUE_SIDE: always outside), or
@@ -89,10 +89,10 @@ static inline lanes_mask is_inside_own(const Sides* inside, lanes_u number) {
     for (uint i = 0; i < PT_SIDE_WORDS; ++i) {
         word = lanes_select_u(word, inside->word[i], (number >> 5) == (lanes_u)(i));
     }
-    return ((word >> (number & 31u)) & 1u) != (lanes_u)(0u);
+    return lanes_as_i(word << (number & 31u)) < 0;
 }
 static inline void change_sides(Sides* inside, lanes_u number, lanes_mask through) {
-    const lanes_u bit = (lanes_u)(1u) << (number & 31u);
+    const lanes_u bit = (lanes_u)(0x80000000u) >> (number & 31u);
     for (uint i = 0; i < PT_SIDE_WORDS; ++i) {
         inside->word[i] ^= lanes_select_u((lanes_u)(0u), bit, through & ((number >> 5) == (lanes_u)(i)));
     }

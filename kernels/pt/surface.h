@@ -10,8 +10,7 @@ typedef struct Surface {
     lanes_f inverse_radius;
     Vec weight;               /* throughput factor of a bounce */
     lanes_f ior, inverse_ior; /* NaN: no dielectric */
-    lanes_f keeps, matte;     /* 1 and 0: mirror or dielectric; 0 and 1: matte */
-    lanes_f ends;             /* 1: no path goes on from here; else 0 */
+    lanes_f kind;             /* 0: matte; 1: mirror or dielectric; -1: no path goes on from here */
     lanes_u side;             /* see PtSurface */
 } Surface;
 
@@ -21,7 +20,7 @@ typedef struct Surface {
 #if defined(PT_FEW) && TABLE_PERMUTES
 
 typedef struct Surfaces {
-    Table field[16];
+    Table field[14];
 } Surfaces;
 
 static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint count) {
@@ -39,11 +38,9 @@ static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint 
         s.field[8].row[i] = row.radiance.x;
         s.field[9].row[i] = row.radiance.y;
         s.field[10].row[i] = row.radiance.z;
-        s.field[11].row[i] = row.optics.x;
-        s.field[12].row[i] = row.traits.x;
-        s.field[13].row[i] = row.traits.y;
-        s.field[14].row[i] = row.traits.z;
-        s.field[15].row[i] = row.traits.w;
+        s.field[11].row[i] = row.traits.x;
+        s.field[12].row[i] = row.traits.y;
+        s.field[13].row[i] = row.traits.w;
     }
     return s;
 }
@@ -75,11 +72,9 @@ static inline Surface surface_of(const Surfaces* all, lanes_u sphere) {
     s.weight.y = SURFACE_FIELD(all, 5, weight.y, sphere);
     s.weight.z = SURFACE_FIELD(all, 6, weight.z, sphere);
     s.ior = SURFACE_FIELD(all, 7, weight.w, sphere);
-    s.inverse_ior = SURFACE_FIELD(all, 11, optics.x, sphere);
-    s.keeps = SURFACE_FIELD(all, 12, traits.x, sphere);
-    s.matte = SURFACE_FIELD(all, 13, traits.y, sphere);
-    s.ends = SURFACE_FIELD(all, 14, traits.z, sphere);
-    s.side = lanes_as_u(SURFACE_FIELD(all, 15, traits.w, sphere));
+    s.kind = SURFACE_FIELD(all, 11, traits.x, sphere);
+    s.inverse_ior = SURFACE_FIELD(all, 12, traits.y, sphere);
+    s.side = lanes_as_u(SURFACE_FIELD(all, 13, traits.w, sphere));
     return s;
 }
 

@@ -170,7 +170,7 @@ static inline void refill(Spare* spare, Unit* unit, const PtLaunch* launch) {
     spare->direction = vec_select(spare->direction, direction, wanting);
     spare->random = random_select(spare->random, random, wanting);
     unit->sample += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), wanting);
-    spare->ready |= wanting;
+    spare->ready = lanes_hold(spare->ready | wanting);
 }
 
 /* What all paths start with, beside the camera. */
@@ -199,7 +199,7 @@ static inline void start_spares(Path* path, Spare* spare, lanes_mask ended, uint
         path->ray.gap[i] = lanes_select(path->ray.gap[i], (lanes_f)(start.camera_gap[i]), ended);
     }
 #endif
-    spare->ready &= !ended;
+    spare->ready = lanes_hold(spare->ready & !ended);
 }
 
 #endif

@@ -25,14 +25,14 @@ typedef struct PtSurface {
     ptb_float4 centre_inverse_radius; /* xyz: centre; w: 1 / radius */
     ptb_float4 weight;                /* rgb: throughput factor of a bounce; w: index of refraction inside */
     ptb_float4 radiance;              /* rgb: emitted, from both faces; w: unused */
-    ptb_float4 traits; /* x: 1 mirror or dielectric, 0 matte; y: 0 and 1; z: 1 ends paths, else 0; w: bits of its side */
-    ptb_float4 optics; /* x: 1 / index of refraction; y, z, w: unused. Rows of 80 bytes lie in different banks of a GPU's
-                          local memory, rows of 64 in two of them. */
+    ptb_float4 traits;  /* x: its kind, 0 matte, 1 mirror or dielectric, -1 if no path goes on from it; y: 1 / index of
+                           refraction; z: unused; w: bits of its side */
+    ptb_float4 padding; /* rows of 80 bytes lie in different banks of a GPU's local memory, rows of 64 in two of them */
 } PtSurface;
 PTB_ASSERT_SIZE(PtSurface, 80);
 
 /* A surface's side is the bit of its two-sided sphere, 0 if opaque, when one word holds all bits; else its number, and
-   PT_OPAQUE_SIDE if opaque. The index of refraction is NaN unless dielectric, so that nothing goes through. */
+   PT_OPAQUE_SIDE if opaque. Bits count from the top, since signs are tested for nothing. The index of refraction is NaN unless dielectric, so that nothing goes through. */
 #define PT_OPAQUE_SIDE 0xffffffffu
 
 /* Where spheres and surfaces lie that rays read: PT_SPHERES and PT_SURFACES. */
