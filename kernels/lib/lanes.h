@@ -66,7 +66,7 @@ static inline lanes_mask lanes_all(void) { return (lanes_mask)(-1); }
 #endif
 
 /* The value, which must be in registers here and which the compiler cannot look through; of use with AVX2 only. There
-   masks are whole registers, but LLVM packs one that outlives its block into bytes, and unpacks it at every use: 1.04 (two
+   masks are whole registers, but LLVM packs one that outlives its block into bytes, and unpacks it at every use: 1.03 (two
    Zen 3 cores, PoCL). It also moves arithmetic to where it is used, however long the wait there. */
 static inline lanes_i lanes_hold(lanes_i value) {
 #if PTB_X86 == 8 && PTB_LANES == 8
