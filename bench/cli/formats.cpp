@@ -26,8 +26,20 @@ namespace fs = std::filesystem;
 std::string page_of(const std::vector<StoredRun>& runs, const PublishedTable& published) {
     std::vector<PageRun> shown;
     for (const StoredRun& run : runs)
-        shown.push_back({run.result, figures(run.result, run.folder, data_dir() / "results" / "references")});
+        shown.push_back(
+            {run.result, figures(run.result, run.folder, data_dir() / "results" / "references"), run.name});
     return page(shown, published);
+}
+
+using Parts = std::vector<fs::path>;
+
+/// How many parts all have in common from where `begin` says on.
+template <class Begin>
+std::size_t common(const std::vector<Parts>& all, std::size_t most, Begin begin) {
+    std::size_t n = 0;
+    const auto same = [&](const Parts& parts) { return begin(parts)[n] == begin(all.front())[n]; };
+    while (n < most && std::all_of(all.begin(), all.end(), same)) ++n;
+    return n;
 }
 
 void print_to_stdout(const std::string& text) {
@@ -38,6 +50,26 @@ void print_to_stdout(const std::string& text) {
 }
 
 }  // namespace
+
+std::vector<std::string> names_of(const std::vector<fs::path>& files) {
+    std::vector<Parts> all;
+    std::size_t fewest = static_cast<std::size_t>(-1);
+    for (const fs::path& file : files) {
+        const fs::path plain = file.lexically_normal();
+        all.emplace_back(plain.begin(), plain.end());
+        fewest = std::min(fewest, all.back().size());
+    }
+    std::vector<std::string> names(files.size());
+    if (files.size() < 2) return names;
+    const auto front = common(all, fewest, [](const Parts& parts) { return parts.begin(); });
+    const auto back = common(all, fewest - front, [](const Parts& parts) { return parts.rbegin(); });
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        fs::path kept;
+        for (std::size_t j = front; j + back < all[i].size(); ++j) kept /= all[i][j];
+        names[i] = kept.string();
+    }
+    return names;
+}
 
 Destinations asked_for(const Destinations& all) {
     Destinations asked;

@@ -28,7 +28,12 @@ bool takes_stdout(const Destinations& asked);
 struct StoredRun {
     ResultFile result;
     std::filesystem::path folder;
+    std::string name{};  ///< among several, as `names_of` gives it
 };
+
+/// Of each file the part of its path that is not in all others' too, between what they begin and end with:
+/// "nvidia/h100" of archive/nvidia/h100/result.json. Empty for a single one.
+std::vector<std::string> names_of(const std::vector<std::filesystem::path>& files);
 
 /// "html" shows several runs, any other format one: "json", "csv", "csv-samples", "md", or that of another
 /// tool.

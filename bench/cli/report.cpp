@@ -50,7 +50,10 @@ int report_command(const Options& options) {
         throw UsageError("report: a result file is missing, e.g. ptbench report result.json");
     const Destinations asked = destinations(flags);
     std::vector<StoredRun> runs;
-    for (const std::filesystem::path file : flags.files) runs.push_back({read_run(file), file.parent_path()});
+    const std::vector<std::filesystem::path> files(flags.files.begin(), flags.files.end());
+    const auto names = names_of(files);
+    for (std::size_t i = 0; i < files.size(); ++i)
+        runs.push_back({read_run(files[i]), files[i].parent_path(), names[i]});
     const PublishedTable published = read_published(data_dir() / "results" / "thesis-2016.json");
     std::vector<std::string> texts;
     for (const auto& [format, destination] : asked) texts.push_back(text_in(format, runs, published));

@@ -5,14 +5,14 @@
 #include <fmt/format.h>
 
 #include "bench/plan/config.h"
+#include "bench/report/axes.h"
 #include "bench/report/sections.h"
 #include "bench/report/words.h"
 
 namespace ptb {
 namespace {
 
-const std::vector<std::string> shown_axes = {"kernel", "size", "work_group"};
-const std::vector<std::string> optional_axes = {"scene", "path_length", "lanes"};
+const std::vector<std::string> always_shown = {"kernel", "size", "work_group"};
 
 std::vector<Record> as_records(const std::vector<SppFit>& fits) {
     std::vector<Record> records(fits.size());
@@ -21,14 +21,18 @@ std::vector<Record> as_records(const std::vector<SppFit>& fits) {
 }
 
 std::string name_of(const SppFit& fit) {
-    return fmt::format("{} {} {}", fit.params.device, fit.params.kernel, to_string(fit.params.size));
+    const Case& c = fit.params;
+    const std::string group = c.work_group.implicit() ? "" : ", work-group " + to_string(c.work_group);
+    return fmt::format("{} {} {}{}{}", c.device, c.kernel, to_string(c.size), group, unusual_text(c));
 }
 
 }  // namespace
 
 Section fits_section(const ResultFile& result) {
-    auto axes = shown_axes;
-    for (const auto& axis : varying(as_records(result.fits), optional_axes)) axes.push_back(axis);
+    const auto records = as_records(result.fits);
+    auto axes = always_shown;
+    for (const auto& more : {axis_columns(records), varying(records, {"lanes"})})
+        axes.insert(axes.end(), more.begin(), more.end());
     Section section;
     section.title = "time over SPP";
     section.grid.columns = {{"device", false, 36}};

@@ -4,6 +4,7 @@
 
 #include "bench/plan/tuned.h"
 #include "bench/record/status.h"
+#include "bench/report/axes.h"
 #include "bench/report/sections.h"
 #include "bench/report/words.h"
 
@@ -33,8 +34,8 @@ std::vector<Group> groups(const ResultFile& result) {
 
 /// "pocl:0 pt 128x128 SPP 10 work-group 64"
 std::string name_of(const Case& c) {
-    return fmt::format("{} {} {} SPP {} work-group {}", c.device, c.kernel, to_string(c.size), c.spp,
-                       to_string(c.work_group));
+    return fmt::format("{} {} {} SPP {} work-group {}{}", c.device, c.kernel, to_string(c.size), c.spp,
+                       to_string(c.work_group), unusual_text(c));
 }
 
 std::string names_of(const std::vector<Case>& cases) {

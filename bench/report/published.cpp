@@ -7,6 +7,7 @@
 
 #include "bench/plan/tuned.h"
 #include "bench/record/json.h"
+#include "bench/report/axes.h"
 #include "bench/report/words.h"
 
 namespace ptb {
@@ -40,13 +41,20 @@ inline constexpr auto fields<PublishedTable> = std::make_tuple(required("year", 
 
 namespace {
 
+/// In what a published row says nothing of.
+bool is_usual(Case c) {
+    c.scene = default_case().scene;
+    c.path_length = default_case().path_length;
+    return unusual(c, other_axes()) == 0;
+}
+
 /// The run's own times that did the work of a published row, but for the number of pixels.
 std::vector<Record> like(const ResultFile& result, const PublishedTable& table, const PublishedRow& row) {
     std::vector<Record> records;
     for (const Record& record : result.cases) {
         const Case c = as_asked(record.params);
         const bool same = c.spp == row.spp && c.path_length == row.path_length && c.scene == table.scene;
-        if (same && c.work_group.implicit() && timed(record)) records.push_back(record);
+        if (same && is_usual(c) && c.work_group.implicit() && timed(record)) records.push_back(record);
     }
     return records;
 }

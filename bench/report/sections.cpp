@@ -9,10 +9,13 @@ namespace ptb {
 
 std::vector<Section> report_sections(const ResultFile& result, const PublishedTable& published) {
     std::vector<Section> sections;
-    for (Section& section : std::vector<Section>{
-             times_section(result), fits_section(result), problems_section(result), devices_section(result),
-             kernels_section(result), peaks_section(result.peaks), published_section(result, published),
-             summary_section(result), remarks_section(result)})
+    std::vector<Section> all = {times_section(result), fits_section(result), problems_section(result),
+                                devices_section(result), kernels_section(result)};
+    for (Section& section : sweep_sections(result)) all.push_back(std::move(section));
+    for (const Section& section : {peaks_section(result.peaks), published_section(result, published),
+                                   summary_section(result), remarks_section(result)})
+        all.push_back(section);
+    for (Section& section : all)
         if (!section.grid.rows.empty() || (section.grid.columns.empty() && !section.notes.empty()))
             sections.push_back(std::move(section));
     return sections;

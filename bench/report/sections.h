@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "bench/record/record.h"
@@ -8,14 +9,21 @@
 
 namespace ptb {
 
-/// Every time, in the order of the thesis' columns.
+/// Every time, in the order of the thesis' columns, and a column for each of `axes`.
+Section times_section(const ResultFile& result, const std::vector<std::string>& axes);
+/// With columns for those that its cases need.
 Section times_section(const ResultFile& result);
+/// The records that are in it.
+std::vector<Record> shown_records(const ResultFile& result);
 /// The line that time follows over SPP, and warnings where it does not.
 Section fits_section(const ResultFile& result);
 /// Cases without a time, those of one status and reason together.
 Section problems_section(const ResultFile& result);
 /// The same work on every device, and how many times faster than on the slowest. Empty for a single device.
 Section devices_section(const ResultFile& result);
+/// For each axis that not every table has a column for and in which cases differ: relative times by its
+/// values, and why one has none.
+std::vector<Section> sweep_sections(const ResultFile& result);
 /// `pt` against `thesis` on each device.
 Section kernels_section(const ResultFile& result);
 /// Peaks, one a row.

@@ -6,13 +6,19 @@
 #include <fmt/format.h>
 
 #include "bench/plan/config.h"
+#include "bench/report/axes.h"
 #include "bench/report/sections.h"
 #include "bench/report/words.h"
 
 namespace ptb {
 namespace {
 
-const std::vector<std::string> optional_axes = {"scene", "path_length", "lanes"};
+/// What cases may differ in beyond the columns that are always there.
+std::vector<std::string> optional_axes(const std::vector<Record>& records) {
+    auto axes = axis_columns(records);
+    for (const std::string& axis : varying(records, {"lanes"})) axes.push_back(axis);
+    return axes;
+}
 
 /// Works in the order in which they first come.
 std::vector<Case> works_of(const std::vector<Record>& records) {
@@ -82,7 +88,7 @@ void append_work(Grid& grid, const ResultFile& result, const std::vector<Record>
 
 Section devices_section(const ResultFile& result) {
     const auto records = comparable(result);
-    const auto axes = varying(records, optional_axes);
+    const auto axes = optional_axes(records);
     if (varying_devices(records) < 2) return {};
     const TimeUnit unit = unit_of(records);
     Section section;
@@ -104,7 +110,7 @@ Section devices_section(const ResultFile& result) {
 
 Section kernels_section(const ResultFile& result) {
     const auto records = comparable(result);
-    const auto axes = varying(records, optional_axes);
+    const auto axes = optional_axes(records);
     const Times times = times_of(records);
     Section section;
     const TimeUnit unit = unit_of(records);

@@ -5,6 +5,7 @@
 
 #include "bench/plan/config.h"
 #include "bench/record/status.h"
+#include "bench/report/axes.h"
 #include "bench/report/sections.h"
 #include "bench/report/words.h"
 #include "core/input/printable.h"
@@ -20,14 +21,15 @@ std::string name_of(const ResultFile& result, const Record& record) {
 }
 
 std::string work_text(const Case& c) {
-    return fmt::format("{} with {} samples per pixel at {}", c.kernel, c.spp, to_string(c.size));
+    return fmt::format("{} with {} samples per pixel at {}{}", c.kernel, c.spp, to_string(c.size),
+                       unusual_text(c));
 }
 
-/// Records of one work, fastest first: that which most devices did; of pt, of many samples, rather than not.
+/// Records of one work, fastest first: that which most devices did; rather as usual, of pt, of many samples.
 std::vector<Record> headline(const std::vector<Record>& records) {
     const auto rank = [](const std::vector<Record>& r) {
         const Case& c = r.front().params;
-        return std::tuple(r.size(), c.kernel == "pt", c.spp, c.size.pixels());
+        return std::tuple(r.size(), -unusual(c, other_axes()), c.kernel == "pt", c.spp, c.size.pixels());
     };
     std::vector<Record> best;
     for (const auto& [work, same] : by_work(records))

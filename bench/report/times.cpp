@@ -6,6 +6,7 @@
 
 #include "bench/plan/config.h"
 #include "bench/record/status.h"
+#include "bench/report/axes.h"
 #include "bench/report/sections.h"
 #include "bench/report/words.h"
 
@@ -13,12 +14,6 @@ namespace ptb {
 namespace {
 
 bool shown(const Record& record) { return record.status == Status::ok || timed(record); }
-
-std::vector<Record> shown_records(const ResultFile& result) {
-    std::vector<Record> records;
-    std::copy_if(result.cases.begin(), result.cases.end(), std::back_inserter(records), shown);
-    return records;
-}
 
 /// What is unusual about a row: "timer: host", "unstable: ...", "low n".
 std::string note(const Record& record) {
@@ -78,10 +73,19 @@ std::string constants(const std::vector<Record>& records, const std::vector<std:
 
 }  // namespace
 
+std::vector<Record> shown_records(const ResultFile& result) {
+    std::vector<Record> records;
+    std::copy_if(result.cases.begin(), result.cases.end(), std::back_inserter(records), shown);
+    return records;
+}
+
 Section times_section(const ResultFile& result) {
+    return times_section(result, axis_columns(shown_records(result)));
+}
+
+Section times_section(const ResultFile& result, const std::vector<std::string>& axes) {
     const auto records = shown_records(result);
     if (records.empty()) return {};
-    const auto axes = varying(records, {"scene", "path_length"});
     const bool notes = any_note(records), joules = any_joules(records);
     Section section;
     section.title = "times" + constants(records, axes);

@@ -61,7 +61,7 @@ def column(title):
 
 def four_digits(number):
     """As the table writes times, by another hand."""
-    return f"{number:.{max(0, min(3, 3 - len(str(int(number))) + (number < 1)))}f}" if number >= 1 else f"{number:.3f}"
+    return f"{number:.{3 if number < 10 else max(0, 4 - len(str(int(number))))}f}"
 
 
 class Page(unittest.TestCase):
@@ -146,6 +146,15 @@ class Page(unittest.TestCase):
             self.assertEqual(len(texts("#times tbody tr")), 15)
             self.assertEqual(len(texts(".pictures img")), 5)
             self.assertIn("fastest of 2 devices", "".join(texts("#verdict")))
+            for i, case in enumerate(SCRATCH.result()["cases"]):
+                shown = "".join(texts(f"#r0c{i} dd"))
+                self.assertIn(f"median {four_digits(case['statistics']['median_ns'] / 1e6)}", shown)
+                self.assertIn(case["build"]["kernel_hash"], shown)
+                self.assertIn(f"right, against {case['validation']['against']}", shown)
+            BROWSER.evaluate("document.querySelectorAll('details').forEach((d) => { d.open = true; })")
+            BROWSER.look(380, "light")
+            self.assertLessEqual(BROWSER.evaluate("document.documentElement.scrollWidth"), 380)
+            BROWSER.screenshot(SHOTS / "without-scripts.png")
         finally:
             BROWSER.call("Emulation.setScriptExecutionDisabled", value=False)
 
@@ -157,8 +166,41 @@ class Page(unittest.TestCase):
         show(page_of("report", "out/result.json", variant("later", later)))
         self.assert_clean()
         self.assertEqual(len(column("run")), 2 * 6 + 9)
-        self.assertEqual(len([run for run in column("run") if run.startswith("2031-01-01 00:00")]), 6)
+        self.assertEqual(len([run for run in column("run") if run.startswith("later.json, 2031-01-01 00:00")]), 6)
         self.assertIn("Time of the same case over the dates", "".join(texts("#charts figcaption")))
+
+    def test_several_runs_begin_with_a_table_that_leads_to_them(self):
+        show(page_of("report", "out/result.json", variant("second", lambda result: None)))
+        self.assertEqual([text.split(",")[0] for text in texts("#verdict td:first-child")], ["result.json", "second.json"])
+        BROWSER.evaluate("document.querySelectorAll('#verdict td a')[1].click()")
+        self.assertIn("second.json", texts(":target")[0])
+
+    def test_a_swept_axis_has_bars_and_says_what_has_no_time(self):
+        def sweep(result):
+            for case, length in zip(result["cases"], (2, 3, 4) * 2):
+                case["params"].update(spp=10, path_length=length)
+            result["cases"][1].update(status="unsupported", reason=HOSTILE, statistics=None)
+            result["cases"][4].update(status="invalid", reason="too bright", statistics=None)
+        result_file = variant("sweep", sweep)
+        show(page_of("report", result_file))
+        self.assert_clean()
+        cases = json.loads((SCRATCH.work / result_file).read_text())["cases"]
+        (figure,) = [text for text in texts("#charts figcaption") if text.startswith("Time by path_length")]
+        self.assertIn("No time for 3", figure)
+        self.assertIn("invalid: too bright", figure)
+        spoken = BROWSER.evaluate("""[...document.querySelectorAll('#charts canvas')].map((c) => c.ariaLabel)
+            .find((label) => label.startsWith('Time by path_length'))""")
+        bars = BROWSER.evaluate("""[...document.querySelectorAll('#charts canvas')].map((c) => Chart.getChart(c))
+            .find((chart) => chart.config.type === 'bar').data.datasets.map((set) => set.data)""")
+        self.assertEqual([[bar["x"] for bar in series] for series in bars], [["2", "4"], ["2", "4"]])
+        for first, series in zip((0, 3), bars):
+            times = [cases[first]["statistics"]["median_ns"], cases[first + 2]["statistics"]["median_ns"]]
+            for bar, time in zip(series, times):
+                self.assertAlmostEqual(bar["y"], time / min(times), places=9)
+                self.assertEqual(bar["fastest"], time == min(times))
+                self.assertIn(f"{bar['x']} {bar['y']:.2f}", spoken)
+        self.assertEqual(len(texts("table.sweep tr.best")), 2)
+        BROWSER.screenshot(SHOTS / "sweep.png")
 
     def test_hostile_text_is_text(self):
         def poison(result):
@@ -179,10 +221,11 @@ class Page(unittest.TestCase):
         self.assertEqual(BROWSER.evaluate("[...document.images].filter((i) => !i.src.startsWith('data:')).length"), 0)
         self.assertIn("<img src=x onerror=window.owned=1>", "".join(texts("#verdict")))
         self.assertIn("not a name beside the result", "".join(texts("figcaption")))
+        self.assertEqual(BROWSER.evaluate("document.body.innerText.match(/[\\x1b\\u202e]/g)"), None)
 
     def test_a_missing_picture_is_said(self):
-        show(page_of("report", SCRATCH.write("alone.json", SCRATCH.result())))
-        self.assertEqual(len([c for c in texts("figcaption") if "no picture: " in c]), 2)
+        show(page_of("report", SCRATCH.write("alone/run.json", SCRATCH.result())))
+        self.assertEqual(len([c for c in texts("figcaption") if "no picture: pocl-" in c]), 2)
         self.assert_clean()
 
     def test_a_comparison_has_a_forest_plot(self):

@@ -69,6 +69,25 @@ TEST(Html, two_dimensional_work_groups_are_a_map_with_the_fastest_marked) {
     EXPECT_EQ(work_group_maps(f), "") << "two sizes are no map";
 }
 
+TEST(Html, a_record_in_short_has_times_image_build_and_why_it_failed) {
+    Record r = timed_in_groups(4, 4, 8);
+    r.statistics->ci_low_ns = 7.5e6;
+    r.statistics->ci_high_ns = 8.5e6;
+    r.statistics->max_ns = 9e6;
+    r.validation = Validation{};
+    r.validation->reason = "too <bright>";
+    r.build = Build{};
+    r.build->kernel_hash = "c0ffee";
+    r.build->log = "warning: <a>\nand more";
+    r.reason = "</dl>";
+    r.status = Status::compile;
+    EXPECT_THAT(record_facts(r),
+                AllOf(HasSubstr("<dt>reason<dd>&lt;/dl&gt;"), HasSubstr("median 8.000 (7.500 to 8.500)"),
+                      HasSubstr("most 9.000"), HasSubstr("wrong: too &lt;bright&gt;"),
+                      HasSubstr("kernel c0ffee"), HasSubstr("<pre>warning: &lt;a&gt;\nand more\n</pre>")));
+    EXPECT_EQ(record_facts({}), "");
+}
+
 TEST(Html, a_comparison_draws_ratio_interval_and_what_is_too_small_to_see) {
     Row row{"gpu:0", "pt <case>", 0.05, {}, "", ""};
     row.finding = {State::regressed, {}, 1e6, 1.1e6, 0.04, 20};
@@ -83,7 +102,7 @@ TEST(Html, a_comparison_draws_ratio_interval_and_what_is_too_small_to_see) {
 }
 
 TEST(Html, an_empty_run_has_a_page) {
-    EXPECT_THAT(page({{}}, {}), HasSubstr("The result file names no picture."));
+    EXPECT_THAT(page({PageRun{}}, {}), HasSubstr("The result file names no picture."));
 }
 
 }  // namespace

@@ -92,13 +92,16 @@ std::string work_group_maps(const ResultFile& result) {
     return html;
 }
 
+std::string case_id(std::size_t run, std::size_t index) { return fmt::format("r{}c{}", run, index); }
+
 std::string case_list(const PageRun& run, std::size_t index) {
     std::string html;
     for (std::size_t i = 0; i < run.result.cases.size(); ++i) {
         const Record& record = run.result.cases[i];
-        html += fmt::format("<details id=\"r{}c{}\"><summary>{} {}: {}</summary></details>\n", index, i,
-                            html_text(record.params.device), html_text(case_text(record.params)),
-                            html_text(outcome_text(record)));
+        html +=
+            fmt::format("<details id=\"{}\"><summary>{} {}: {}</summary>{}</details>\n", case_id(index, i),
+                        html_text(record.params.device), html_text(case_text(record.params)),
+                        html_text(outcome_text(record)), record_facts(record));
     }
     return fmt::format("<details class=\"all-cases\"><summary>{} cases</summary>\n{}</details>\n",
                        run.result.cases.size(), html);

@@ -70,6 +70,16 @@ std::string html_text(std::string_view text) {
     return safe;
 }
 
+std::string html_lines(std::string_view text) {
+    std::string html;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        html += html_text(text.substr(0, end)) + "\n";
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return html;
+}
+
 std::string html_paragraphs(const std::vector<std::string>& texts) {
     std::string html;
     for (const std::string& text : texts) html += fmt::format("<p>{}</p>\n", html_text(text));

@@ -13,6 +13,9 @@ namespace ptb {
 /// Untrusted text as HTML, between tags or between the quotes of an attribute.
 std::string html_text(std::string_view text);
 
+/// Untrusted text whose lines are kept.
+std::string html_lines(std::string_view text);
+
 /// `<p>text</p>` for each.
 std::string html_paragraphs(const std::vector<std::string>& texts);
 

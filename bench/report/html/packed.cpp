@@ -60,15 +60,17 @@ Json append_samples(std::string& bytes, const std::vector<TimeSample>& samples) 
     return json;
 }
 
-std::string packed_all(const std::string& text, const Json& samples, const std::string& bytes) {
-    return base64(deflated(dump_json({{"text", text}, {"samples", samples}}) + "\n" + bytes));
+std::string packed_all(const Json& json, const std::string& bytes) {
+    return base64(deflated(dump_json(json) + "\n" + bytes));
 }
 
 }  // namespace
 
-std::string packed_text(const std::string& text) { return packed_all(text, Json::array(), ""); }
+std::string packed_text(const std::string& text) {
+    return packed_all({{"text", text}, {"samples", Json::array()}}, "");
+}
 
-std::string packed(const ResultFile& result) {
+std::string packed(const ResultFile& result, const std::string& name) {
     ResultFile bare = result;
     Json samples = Json::array();
     std::string bytes;
@@ -76,7 +78,7 @@ std::string packed(const ResultFile& result) {
         samples.push_back(append_samples(bytes, record.samples));
         record.samples.clear();
     }
-    return packed_all(result_text(bare), samples, bytes);
+    return packed_all({{"name", name}, {"text", result_text(bare)}, {"samples", samples}}, bytes);
 }
 
 }  // namespace ptb

@@ -21,14 +21,15 @@ std::string machine_text(const ResultFile& r) {
         r.run.git_dirty ? ", changed" : "", r.run.config, r.run.seed);
 }
 
-/// Once for a single run; under its name for each of several.
+/// Once for a single run; under its name for each of several, in headings with `ids` where there are any.
 template <class Make>
-std::string of_each(const std::vector<PageRun>& runs, Make make) {
+std::string of_each(const std::vector<PageRun>& runs, Make make, std::string (*ids)(std::size_t) = nullptr) {
     std::string html;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const std::string content = make(runs[i], i);
         const bool named = runs.size() > 1 && !content.empty();
-        html += (named ? fmt::format("<h3>{}</h3>\n", html_text(run_name(runs, i))) : "") + content;
+        const std::string id = ids != nullptr ? fmt::format(" id=\"{}\"", ids(i)) : "";
+        html += (named ? fmt::format("<h3{}>{}</h3>\n", id, html_text(run_name(runs, i))) : "") + content;
     }
     return html;
 }
@@ -57,13 +58,24 @@ std::string pictures(const PageRun& run, std::size_t) {
     return fmt::format("<div class=\"pictures\">{}</div>\n", html);
 }
 
-std::string tables(const PageRun& run, std::size_t) {
+/// Their rows lead to cases; page/sweeps.js draws their bars.
+std::string sweep_tables(const ResultFile& result, std::size_t index) {
+    std::string html;
+    for (const Section& section : sweep_sections(result)) {
+        TableExtras extras{"sweep", {}, "", {}, 0};
+        for (const std::size_t c : section.grid.cases) extras.links.push_back(case_id(index, c));
+        html += html_table(section.grid, section.title, extras) + html_paragraphs(section.notes);
+    }
+    return html;
+}
+
+std::string tables(const PageRun& run, std::size_t index) {
     std::string html;
     const ResultFile& r = run.result;
     for (const Section& section :
          {devices_section(r), kernels_section(r), fits_section(r), problems_section(r)})
         if (!section.grid.rows.empty()) html += to_html(section);
-    return html + work_group_maps(r) + to_html(remarks_section(r));
+    return html + work_group_maps(r) + sweep_tables(r, index) + to_html(remarks_section(r));
 }
 
 std::string facts(const PageRun& run, std::size_t) {
@@ -80,7 +92,7 @@ std::string facts(const PageRun& run, std::size_t) {
 
 std::string page(const std::vector<PageRun>& runs, const PublishedTable& published) {
     const std::string main =
-        part("verdict", "What came out", of_each(runs, verdict)) +
+        part("verdict", "What came out", runs_table(runs) + of_each(runs, verdict, run_id)) +
         part("times", "Times", times_table(runs, published)) +
         part("charts", "Charts",
              "<p class=\"no-script\">Charts need JavaScript; their figures are in the tables.</p>\n") +
@@ -90,9 +102,11 @@ std::string page(const std::vector<PageRun>& runs, const PublishedTable& publish
         part("raw", "Raw data",
              "<p class=\"no-script\">The result files are in this page; JavaScript unpacks them.</p>\n");
     std::vector<std::string> data;
-    for (const PageRun& run : runs) data.push_back(packed(run.result));
-    return framed(title(runs), main, data,
-                  {"chart.min.js", "data.js", "tables.js", "pictures.js", "charts.js", "page.js"});
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        data.push_back(packed(runs[i].result, runs[i].name.empty() ? run_name(runs, i) : runs[i].name));
+    return framed(
+        title(runs), main, data,
+        {"chart.min.js", "data.js", "tables.js", "pictures.js", "charts.js", "sweeps.js", "page.js"});
 }
 
 }  // namespace ptb

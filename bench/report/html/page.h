@@ -13,6 +13,7 @@ namespace ptb {
 struct PageRun {
     ResultFile result;
     std::vector<Figure> figures;
+    std::string name{};  ///< among several: what tells its file from theirs
 };
 
 /// One self-contained HTML file of one or several runs: it needs no other file and asks nothing of a network.

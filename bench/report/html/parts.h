@@ -7,8 +7,12 @@
 
 namespace ptb {
 
-/// "2026-03-01 12:00, host"; numbered when an earlier run has that name.
+/// "2026-03-01 12:00, host", after the run's own name; numbered when an earlier run has that name.
 std::string run_name(const std::vector<PageRun>& runs, std::size_t index);
+/// Where the verdict on a run of several is in the page.
+std::string run_id(std::size_t index);
+/// Several runs in a table whose rows lead to the verdicts on them; nothing for one.
+std::string runs_table(const std::vector<PageRun>& runs);
 
 /// The times of all runs, each row leading to its case, and the published ones.
 std::string times_table(const std::vector<PageRun>& runs, const PublishedTable& published);
@@ -17,7 +21,13 @@ std::string times_table(const std::vector<PageRun>& runs, const PublishedTable& 
 /// most samples per pixel as a table, widths across, heights down, coloured by time.
 std::string work_group_maps(const ResultFile& result);
 
-/// Every case, folded; the record within is filled in by the page's script.
+/// Where a case is in the page: "r0c12".
+std::string case_id(std::size_t run, std::size_t index);
+
+/// A record in short, for those without JavaScript: outcome, times, work, image, build.
+std::string record_facts(const Record& record);
+
+/// Every case with its record in short, folded; the page's script puts all of the record in its place.
 std::string case_list(const PageRun& run, std::size_t index);
 
 }  // namespace ptb

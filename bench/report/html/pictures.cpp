@@ -40,6 +40,12 @@ std::string webp(const Image& image) {
     return {reinterpret_cast<const char*>(bytes), size};
 }
 
+/// A page says nothing of where files lie on the machine that made it.
+std::string without(std::string text, const std::string& folder) {
+    const auto at = folder.empty() ? std::string::npos : text.find(folder);
+    return at == std::string::npos ? text : text.erase(at, folder.size());
+}
+
 bool is_plain_name(const std::string& name) { return !name.empty() && fs::path(name).filename() == name; }
 
 std::string status_of(const ResultFile& result, const Case& c) {
@@ -99,7 +105,8 @@ std::vector<Figure> figures(const ResultFile& result, const fs::path& folder, co
                 throw ImageError(picture.file + ": not a name beside the result");
             append(all, result, picture, folder, references, shown);
         } catch (const ImageError& error) {
-            all.push_back({fmt::format("{}: no picture: {}", caption_of(result, picture), error.what()), ""});
+            const std::string why = without(error.what(), (folder / "").string());
+            all.push_back({fmt::format("{}: no picture: {}", caption_of(result, picture), why), ""});
         }
     }
     return all;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bench/plan/config.h"
+#include "bench/report/axes.h"
 #include "bench/report/html/html.h"
 #include "bench/report/html/parts.h"
 #include "bench/report/sections.h"
@@ -51,25 +52,18 @@ Grid published_grid(const PublishedTable& published) {
 
 }  // namespace
 
-std::string run_name(const std::vector<PageRun>& runs, std::size_t index) {
-    const auto plain = [&](std::size_t i) {
-        std::string date = runs[i].result.run.started_at.substr(0, 16);
-        std::replace(date.begin(), date.end(), 'T', ' ');
-        return fmt::format("{}, {}", date, runs[i].result.host.hostname);
-    };
-    int same = 1;
-    for (std::size_t i = 0; i < index; ++i) same += plain(i) == plain(index) ? 1 : 0;
-    return same == 1 ? plain(index) : fmt::format("{} ({})", plain(index), same);
-}
-
 std::string times_table(const std::vector<PageRun>& runs, const PublishedTable& published) {
     std::vector<Grid> grids;
     std::vector<std::string> links, notes;
+    std::vector<Record> records;
+    for (const PageRun& run : runs)
+        for (const Record& record : shown_records(run.result)) records.push_back(record);
+    const auto axes = axis_columns(records);
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const Section section = times_section(runs[i].result);
+        const Section section = times_section(runs[i].result, axes);
         grids.push_back(section.grid);
         append_column(grids.back(), "run", runs.size() == 1 ? "this run" : run_name(runs, i));
-        for (const std::size_t c : section.grid.cases) links.push_back(fmt::format("r{}c{}", i, c));
+        for (const std::size_t c : section.grid.cases) links.push_back(case_id(i, c));
         notes.push_back(fmt::format("{}: {}", run_name(runs, i), section.title));
     }
     grids.push_back(published_grid(published));

@@ -6,27 +6,34 @@ const colour = (i) => palette[i % palette.length];
 const ms = (ns) => ns / 1e6;
 const isTimed = (c) => ['ok', 'unstable'].includes(c.status) && c.statistics?.median_ns > 0;
 
-/** Every timed case as {run, label parts, spp, time ...}. */
-function timedPoints(runs) {
-  return runs.flatMap((run, r) => run.content.cases.filter(isTimed).map((c) => {
-    const device = run.content.devices.find((d) => d.key === c.params.device);
-    const {kernel, size, path_length: length, scene, lanes, spp, work_group: group} = c.params;
-    const s = c.statistics;
-    return {
-      run: r, date: run.content.run.started_at, device: device?.name ?? c.params.device, key: c.params.device,
-      kernel, size, length, scene, lanes, spp, group,
-      time: ms(s.median_ns), low: ms(s.ci_low_ns ?? s.median_ns), high: ms(s.ci_high_ns ?? s.median_ns),
-    };
-  }));
+/** A case as {axis: value, ..., run, date, device, key, time, low, high}; without a time where it has none. */
+function pointOf(run, r, c) {
+  const device = run.content.devices.find((d) => d.key === c.params.device);
+  const s = isTimed(c) ? c.statistics : {};
+  return {
+    ...c.params, axes: Object.keys(c.params), run: r, runName: run.name, date: run.content.run.started_at, device: device?.name ?? c.params.device, key: c.params.device,
+    time: ms(s.median_ns), low: ms(s.ci_low_ns ?? s.median_ns), high: ms(s.ci_high_ns ?? s.median_ns),
+  };
 }
+
+const timedPoints = (runs) =>
+  runs.flatMap((run, r) => run.content.cases.filter(isTimed).map((c) => pointOf(run, r, c)));
+
+/** What makes cases different work: where they run, and every axis but SPP and work-group. */
+const workFields = (points) => [...new Set(['run', 'device', 'key', ...points.flatMap((p) => p.axes)])].filter(
+  (field) => !['spp', 'work_group'].includes(field) && !field.endsWith('_from'));
 
 /** Points in groups that share the `fields`, each under a name of those fields that differ between groups. */
 function series(points, fields) {
   const values = (f) => new Set(points.map((p) => p[f])).size;
   const varying = fields.filter((f) => values(f) > (f === 'key' ? values('device') : 1));
-  const groups = Map.groupBy(points, (p) => JSON.stringify(fields.map((f) => p[f])));
-  const name = (p) => varying.map((f) => (f === 'run' ? p.date : p[f])).join(' ') || p.device;
-  return [...groups.values()].map((group) => ({name: name(group[0]), points: group}));
+  const groups = [...Map.groupBy(points, (p) => JSON.stringify(fields.map((f) => p[f]))).values()];
+  const part = (p, f) => (f === 'run' ? p.runName : ['device', 'key', 'kernel', 'size'].includes(f) ? p[f] : `${f} ${p[f]}`);
+  const name = (p, shown) => plain(shown.map((f) => part(p, f)).join(' ') || p.device);
+  const distinct = (shown) => new Set(groups.map(([p]) => name(p, shown))).size === groups.length;
+  const withoutRun = varying.filter((f) => f !== 'run');
+  const shown = distinct(withoutRun) ? withoutRun : varying;
+  return groups.map((group) => ({name: name(group[0], shown), points: group}));
 }
 
 /** Intervals as lines with caps through the points that have one. */
@@ -59,13 +66,17 @@ function drawIn(place) {
   for (const figure of place.querySelectorAll('figure')) figure.draw?.();
 }
 
-/** A chart in a figure, to be drawn. `words` are its text alternative and its caption. */
-function chartFigure(config, words, className = '') {
-  const canvas = element('canvas', {role: 'img', 'aria-label': words});
-  const figure = element('figure', {}, element('div', {class: `canvas ${className}`}, canvas),
+/** Lines that a legend takes in a chart as wide as a phone: a place grows by them. */
+const legendLines = (sets) => (sets.length > 2 ? Math.ceil(sets.reduce((sum, {label}) => sum + label.length + 6, 0) / 50) : 0);
+
+/** A chart in a figure, to be drawn. `words` are its caption and, where no other is given, its text alternative. */
+function chartFigure(config, words, className = '', spokenWords = words) {
+  const canvas = element('canvas', {role: 'img', 'aria-label': spokenWords});
+  const style = `--legend: ${legendLines(config.data.datasets)}`;
+  const figure = element('figure', {}, element('div', {class: `canvas ${className}`, style}, canvas),
     element('figcaption', {}, words));
   config.options = {animation: false, maintainAspectRatio: false, ...config.options};
-  config.plugins = [intervals];
+  config.plugins = [intervals, ...config.plugins ?? []];
   figure.draw = () => { Chart.getChart(canvas)?.destroy(); new Chart(canvas, config); };
   return figure;
 }
@@ -81,12 +92,12 @@ function lineChart(all, x, y, point, words, extra = () => []) {
   return chartFigure({type: 'line', data: {datasets}, options: {scales: {x, y}, plugins: {legend}}}, words + more);
 }
 
-const work = ['run', 'device', 'key', 'kernel', 'size', 'length', 'scene', 'lanes'];
 const bySpp = (a, b) => a.spp - b.spp;
 
 function sppChart(points) {
-  const all = series(points.filter((p) => p.group === 'implicit').sort(bySpp), work);
-  if (!all.some((s) => s.points.length > 1)) return [];
+  const all = series(points.filter((p) => p.work_group === 'implicit').sort(bySpp), workFields(points))
+    .filter((s) => s.points.length > 1);
+  if (!all.length) return [];
   const point = (p) => ({x: p.spp, y: p.time, low: p.low, high: p.high});
   return [lineChart(all, axis('logarithmic', 'samples per pixel'), axis('logarithmic', 'time, ms'), point,
     'Time over samples per pixel, both logarithmic, by device; bars are the medians’ 95 % intervals.')];
@@ -94,10 +105,11 @@ function sppChart(points) {
 
 /** ms per SPP over SPP: a straight line of time is a hyperbola here, whose overhead can be seen. */
 function scalingChart(points, runs) {
-  const all = series(points.filter((p) => p.group === 'implicit').sort(bySpp), work);
-  const fitOf = (p) => runs[p.run].content.fits.find(({params: f}) => f.device === p.key && f.kernel === p.kernel &&
-    f.size === p.size && f.work_group === 'implicit' && f.lanes === p.lanes && f.scene === p.scene &&
-    f.path_length === p.length);
+  const all = series(points.filter((p) => p.work_group === 'implicit').sort(bySpp), workFields(points))
+    .filter((s) => s.points.length > 1);
+  const same = (f, p) => f.device === p.key &&
+    Object.keys(f).every((key) => ['device', 'spp'].includes(key) || f[key] === p[key]);
+  const fitOf = (p) => runs[p.run].content.fits.find(({params}) => same(params, p));
   if (!all.some((s) => fitOf(s.points[0]))) return [];
   const line = (group, i) => {
     const fit = fitOf(group[0]);
@@ -112,16 +124,16 @@ function scalingChart(points, runs) {
 
 /** Of each work that with the most samples per pixel, whose times are the least noisy. */
 function workGroupChart(points) {
-  const all = series(points.filter((p) => !p.group.includes('x')), work).map(({name, points: group}) => {
+  const all = series(points.filter((p) => !p.work_group.includes('x')), workFields(points)).map(({name, points: group}) => {
     const most = Math.max(...group.map((p) => p.spp));
     return {name, points: group.filter((p) => p.spp === most)};
   }).filter((s) => s.points.length > 2);
   if (!all.length) return [];
   for (const {points: group} of all) {
     const best = Math.min(...group.map((p) => p.time));
-    for (const p of group) p.share = {x: p.group, y: p.time / best, low: p.low / best, high: p.high / best};
+    for (const p of group) p.share = {x: p.work_group, y: p.time / best, low: p.low / best, high: p.high / best};
   }
-  const groups = new Set(all.flatMap((s) => s.points.map((p) => p.group)));
+  const groups = new Set(all.flatMap((s) => s.points.map((p) => p.work_group)));
   const labels = [...groups].sort((a, b) => (Number(a) || 0) - (Number(b) || 0));
   return [lineChart(all, {...axis('category', 'work-group'), labels}, axis('linear', 'time / best time'), (p) => p.share,
     'Time over the size of one-dimensional work-groups at the most samples per pixel, as a multiple of the best; ' +
@@ -131,7 +143,7 @@ function workGroupChart(points) {
 function historyChart(points) {
   const dates = [...new Set(points.map((p) => p.date))].sort();
   if (dates.length < 2) return [];
-  const all = series(points, [...work.slice(1), 'spp', 'group']).filter((s) => s.points.length > 1);
+  const all = series(points, [...workFields(points).filter((f) => f !== 'run'), 'spp', 'work_group']).filter((s) => s.points.length > 1);
   const x = {...axis('category', 'run'), labels: dates};
   return [lineChart(all, x, axis('logarithmic', 'time, ms'), (p) => ({x: p.date, y: p.time, low: p.low, high: p.high}),
     'Time of the same case over the dates of the runs; bars are the medians’ 95 % intervals.')];
@@ -157,11 +169,12 @@ function stripFigure(record, samples) {
 
 /** The strip of one case at a time. */
 function samplesChart(runs) {
-  const sampled = runs.flatMap((run) => run.content.cases.map((record, c) => ({record, samples: run.samples[c]})))
+  const sampled = runs.flatMap((run, r) => run.content.cases.map((record, c) =>
+    ({record, samples: run.samples[c], id: `r${r}c${c}`})))
     .filter(({samples}) => samples.length);
   if (!sampled.length) return [];
-  const name = ({params: p}) => `${p.device} ${p.kernel} ${p.size} SPP ${p.spp} ${p.work_group} lanes ${p.lanes}`;
-  const select = element('select', {}, ...sampled.map(({record}, i) => element('option', {value: i}, name(record))));
+  const name = ({id}) => document.querySelector(`#${id} > summary`).textContent;
+  const select = element('select', {}, ...sampled.map((each, i) => element('option', {value: i}, name(each))));
   const place = element('div');
   const show = () => {
     place.replaceChildren(stripFigure(sampled[select.value].record, sampled[select.value].samples));
@@ -183,7 +196,7 @@ function setUpCharts(runs) {
   themeCharts();
   const points = timedPoints(runs);
   const figures = [...sppChart(points), ...scalingChart(points, runs), ...workGroupChart(points), ...historyChart(points),
-    ...samplesChart(runs)];
+    ...sweepCharts(runs), ...samplesChart(runs)];
   document.getElementById('charts').append(element('div', {class: 'charts'}, ...figures));
   drawIn(document);
   const redraw = () => {

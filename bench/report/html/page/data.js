@@ -46,11 +46,15 @@ function fileText(data) {
   return data.text.slice(0, cases) + data.text.slice(cases).replace(/"samples": \[\]/g, whole);
 }
 
-/** An element with attributes and children; children that are strings become text. */
+/** Text without control characters, but for line breaks and tabs, and without what turns the direction of writing. */
+const plain = (text) =>
+  text.replace(/[\0-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]/g, '?');
+
+/** An element with attributes and children; children that are strings become plain text. */
 function element(name, attributes = {}, ...children) {
   const made = document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  made.append(...children);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, plain(String(value)));
+  made.append(...children.map((child) => (typeof child === 'string' ? plain(child) : child)));
   return made;
 }
 

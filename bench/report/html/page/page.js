@@ -1,8 +1,10 @@
 'use strict';
 
-/** The record of a case, put there when it is opened first. */
+/** All of a case's record, put in the place of what is said of it in short when it is opened first. */
 function fillCase(details, record, samples) {
-  if (details.childElementCount > 1) return;
+  if (details.classList.contains('whole')) return;
+  details.classList.add('whole');
+  details.querySelector('dl')?.remove();
   details.append(facts({...record, samples: samples.length ? `${samples.length}, below` : 0}));
   if (samples.length) details.append(stripFigure(record, samples));
   drawIn(details);

@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include "bench/report/html/html.h"
+#include "bench/report/html/parts.h"
+#include "bench/report/words.h"
+#include "core/input/printable.h"
+
+namespace ptb {
+namespace {
+
+constexpr std::size_t most_log = 4000;  ///< characters; the raw data has all
+
+std::string ms_text(double ns) { return number_text(ms(ns)); }
+
+std::string times(const Statistics& s) {
+    const std::string interval =
+        s.ci_low_ns && s.ci_high_ns
+            ? fmt::format(" ({} to {})", ms_text(*s.ci_low_ns), ms_text(*s.ci_high_ns))
+            : "";
+    return fmt::format("median {}{}, MAD {}, mean {}, least {}, quartiles {} and {}, most {}",
+                       ms_text(s.median_ns), interval, ms_text(s.mad_ns), ms_text(s.mean_ns),
+                       ms_text(s.min_ns), ms_text(s.q1_ns), ms_text(s.q3_ns), ms_text(s.max_ns));
+}
+
+std::string samples(const Statistics& s) {
+    const std::string clock =
+        s.timer_reason.empty() ? s.timer : fmt::format("{} ({})", s.timer, s.timer_reason);
+    return fmt::format("{}, {} flagged, clock: {}, ended by {}", s.n, s.flagged, clock, s.stop_reason);
+}
+
+std::string work(const Work& w, const std::optional<Statistics>& s) {
+    const std::string rates = s ? fmt::format(" at {} M and {} M a second", number_text(s->msamples_per_s),
+                                              number_text(s->msegments_per_s))
+                                : "";
+    return fmt::format("{} samples, {} segments{}; lanes {}, passes {}, renders {}", w.samples, w.segments,
+                       rates, w.lanes, w.passes, w.renders);
+}
+
+std::string image(const Validation& v) {
+    std::string text = fmt::format("{}, against {}", v.valid ? "right" : "wrong: " + v.reason, v.against);
+    if (v.max_abs_z && v.z_limit) text += fmt::format(", block z {:.2f} of {:.2f}", *v.max_abs_z, *v.z_limit);
+    if (v.mean_z) text += fmt::format(", mean z {:.2f}", *v.mean_z);
+    return text + fmt::format(", {:.2f} segments a sample", v.segments_per_sample);
+}
+
+std::string build(const Build& b) {
+    std::string text = fmt::format("kernel {}{}, {} ms, first launch {} ms", b.kernel_hash,
+                                   b.overridden ? " (overridden)" : "", number_text(b.build_ms),
+                                   ms_text(static_cast<double>(b.first_launch_ns)));
+    if (!b.options.empty()) text += ", " + b.options;
+    return text;
+}
+
+/// End tags of dt and dd may be left out, and there are thousands.
+std::string item(const char* name, const std::string& text) {
+    return text.empty() ? "" : fmt::format("<dt>{}<dd>{}", name, html_text(text));
+}
+
+}  // namespace
+
+std::string record_facts(const Record& record) {
+    const auto& b = record.build;
+    const auto& s = record.statistics;
+    const auto& energy = record.energy;
+    std::string items = item("reason", record.reason);
+    if (s) items += item("times, ms", times(*s)) + item("samples", samples(*s));
+    if (record.work) items += item("work", work(*record.work, s));
+    if (record.validation) items += item("image", image(*record.validation));
+    if (b) items += item("build", build(*b));
+    if (energy && energy->joules) items += item("energy", number_text(*energy->joules) + " J a render");
+    if (b && !b->log.empty() && !timed(record))
+        items += fmt::format("<dt>build log<dd><pre>{}</pre>", html_lines(shortened(b->log, most_log)));
+    return items.empty() ? "" : fmt::format("<dl>{}</dl>", items);
+}
+
+}  // namespace ptb

@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""Makes README's tables and picture again.
+
+usage: readme.py PTBENCH              tables, of the archived results that README's comments name
+       readme.py PTBENCH --picture    the picture, too: 1000 samples per pixel on the first CPU
+
+A table stands under `<!-- table: VENDOR/DEVICE/RUN -->`, and keeps the columns that it has; cases with explicit
+work-groups are left out. With `+ 2016`, the fastest row of the thesis' table comes first."""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+TABLE = re.compile(r"(<!-- table: (\S+)( \+ 2016)? -->\n\n)((?:\|.*\n)+)")
+
+
+def cells(line):
+    return [cell.strip() for cell in line.strip().strip("|").split("|")]
+
+
+def times(ptbench, run):
+    """Rows of the first table of the run's Markdown, by their columns."""
+    file = ROOT / "results/archive" / run / "result.json"
+    shown = subprocess.run([ptbench, "report", file, "--md", "-"], capture_output=True, text=True, check=True).stdout
+    lines = re.search(r"(?:^\|.*\n)+", shown, re.M).group().splitlines()
+    return [dict(zip(cells(lines[0]), cells(line))) for line in lines[2:]]
+
+
+def fastest_published():
+    table = json.loads((ROOT / "results/thesis-2016.json").read_text(encoding="utf-8"))
+    most = max(row["spp"] for row in table["rows"])
+    row = min((row for row in table["rows"] if row["spp"] == most), key=lambda row: row["time_ms"])
+    width, height = map(int, row["size"].split("x"))
+    rate = width * height * row["spp"] / row["time_ms"] / 1e3
+    return {"vendor": row["vendor"], "type": row["type"], "device": f"{row['device']} ({table['year']})",
+            "SPP": str(row["spp"]), "time ms": f"{row['time_ms']:.0f}", "kernel": table["kernel"], "size": row["size"],
+            "Msamples/s": f"{rate:.3f}"}
+
+
+def table_again(ptbench, match):
+    """The text of a table, made anew under its own columns."""
+    comment, run, with_2016, old = match.groups()
+    head, rule = old.splitlines()[:2]
+    rows = [row for row in times(ptbench, run) if row["work-group"] == "implicit"]
+    if with_2016:
+        rows.insert(0, fastest_published())
+    lines = [head, rule] + ["| " + " | ".join(row.get(title, "-") for title in cells(head)) + " |" for row in rows]
+    return comment + "".join(line + "\n" for line in lines)
+
+
+def main(ptbench, picture=None):
+    readme = ROOT / "README.md"
+    text = readme.read_text(encoding="utf-8")
+    readme.write_text(TABLE.sub(lambda match: table_again(ptbench, match), text), encoding="utf-8")
+    if picture == "--picture":
+        subprocess.run([ptbench, "render", "-d", "cpu", "--kernel", "pt", "--scene", "thesis", "--size", "256", "--spp", "1000",
+                        "-o", ROOT / "results/pictures/thesis-pt.png"], check=True)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (2, 3) or sys.argv[2:] not in ([], ["--picture"]):
+        sys.exit(__doc__)
+    main(*sys.argv[1:])

@@ -1,0 +1,131 @@
+"""The archive of real machines' results: its files may be there, and its index page holds them as they are."""
+
+import base64
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+from ptbench import BINARY, SOURCE
+
+ARCHIVE = SOURCE / "results/archive"
+
+
+def sample_columns(cause, columns, data):
+    """Samples from what bench/report/html/packed.h says of their bytes; the rest of those."""
+    samples = [{"cause": why} for why in cause]
+    for key in columns:
+        values = [columns[key]["from"]] * len(cause)
+        for plane in range(columns[key]["planes"]):
+            values = [value + (byte << 8 * plane) for value, byte in zip(values, data)]
+            data = data[len(cause):]
+        for sample, value in zip(samples, values):
+            sample[key] = value
+    for sample in samples:
+        sample["sum_ns"] += sample["kernel_ns"]
+        sample["host_ns"] += sample["kernel_ns"]
+    return samples, data
+
+
+def results_in(page):
+    """The results that a page carries, by their names."""
+    found = {}
+    for block in re.findall(r'class="data">([^<]*)<', page.read_text(encoding="utf-8")):
+        head, _, data = zlib.decompress(base64.b64decode(block)).partition(b"\n")
+        packed = json.loads(head)
+        result = json.loads(packed["text"])
+        for case, columns in zip(result["cases"], packed["samples"], strict=True):
+            case["samples"], data = sample_columns(columns.pop("cause"), columns, data)
+        found[packed["name"]] = result
+    return found
+
+
+def within(part, whole):
+    """Whether all of `part` is in `whole`; a newer ptbench may write more of the same result."""
+    if isinstance(part, dict):
+        return all(key in whole and within(value, whole[key]) for key, value in part.items())
+    if isinstance(part, list):
+        return len(part) == len(whole) and all(map(within, part, whole))
+    return part == whole
+
+
+def make(folder, index):
+    """The one command; its exit status and what it says."""
+    made = subprocess.run([sys.executable, "-B", SOURCE / "scripts/archive.py", BINARY, folder, index],
+                          capture_output=True, text=True)
+    return made.returncode, made.stdout + made.stderr
+
+
+class Archive(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name) / "archive"
+        shutil.copytree(ARCHIVE, self.folder)
+        self.index = self.folder.parent / "index.html"
+
+    def change(self, change):
+        """Another content of the first result; its folder."""
+        file = sorted(self.folder.glob("*/*/*/result.json"))[0]
+        result = json.loads(file.read_text())
+        change(result)
+        file.write_text(json.dumps(result))
+        return file.parent
+
+    def assert_refused(self, says):
+        code, words = make(self.folder, self.index)
+        self.assertEqual(code, 1, words)
+        self.assertIn(says, words)
+        self.assertFalse(self.index.exists())
+
+    def test_the_index_in_the_tree_holds_the_results_in_the_tree(self):
+        """Remade by: scripts/archive.py build/release/bin/ptbench"""
+        results = results_in(ARCHIVE / "index.html")
+        files = {str(file.parent.relative_to(ARCHIVE)): file for file in ARCHIVE.glob("*/*/*/result.json")}
+        self.assertEqual(sorted(results), sorted(files), "archived or taken away since the index was made")
+        for name, file in files.items():
+            self.assertTrue(within(json.loads(file.read_text()), results[name]), f"{name} is not as in the index")
+
+    def test_the_command_makes_an_index_of_every_result(self):
+        code, words = make(ARCHIVE, self.index)
+        self.assertEqual(code, 0, words)
+        self.assertEqual(results_in(self.index).keys(), results_in(ARCHIVE / "index.html").keys())
+        self.assertLess(self.index.stat().st_size, 3_000_000)
+
+    def test_runs_that_were_interrupted_or_of_changed_trees_are_refused(self):
+        for key, says in (("interrupted", "interrupted"), ("git_dirty", "not committed")):
+            with self.subTest(key):
+                self.change(lambda result: result["run"].update({"interrupted": False, "git_dirty": False, key: True}))
+                self.assert_refused(says)
+
+    def test_folders_of_a_machine_are_refused(self):
+        self.change(lambda result: result["run"].update(argv=["/home/me/ptbench"]))
+        self.assert_refused("argv names a folder")
+
+    def test_times_without_a_valid_image_are_refused(self):
+        self.change(lambda result: result["cases"][0]["validation"].update(valid=False))
+        self.assert_refused("/cases/0: a time without a valid image")
+
+    def test_what_is_no_result_is_refused(self):
+        self.change(lambda result: result.pop("host"))
+        self.assert_refused("'host' is a required property")
+
+    def test_a_device_without_picture_or_line_and_stray_files_are_refused(self):
+        folder = self.change(lambda result: None)
+        (folder / "notes.txt").write_text("")
+        self.assert_refused("notes.txt lies there")
+        (folder / "notes.txt").unlink()
+        for picture in folder.parent.glob("*/*.png"):
+            picture.unlink()
+        self.assert_refused("none of its runs has its picture")
+        (self.folder / "README.md").write_text("")
+        self.assert_refused("README.md has no line for it")
+
+
+if __name__ == "__main__":
+    unittest.main()
