@@ -41,9 +41,8 @@ std::string webp(const Image& image) {
 }
 
 /// A page says nothing of where files lie on the machine that made it.
-std::string without(std::string text, const std::string& folder) {
-    const auto at = folder.empty() ? std::string::npos : text.find(folder);
-    return at == std::string::npos ? text : text.erase(at, folder.size());
+std::string without(const std::string& text, const std::string& folder) {
+    return text.starts_with(folder) ? text.substr(folder.size()) : text;
 }
 
 bool is_plain_name(const std::string& name) { return !name.empty() && fs::path(name).filename() == name; }

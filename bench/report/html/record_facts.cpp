@@ -70,7 +70,7 @@ std::string record_facts(const Record& record) {
     if (energy && energy->joules) items += item("energy", number_text(*energy->joules) + " J a render");
     if (b && !b->log.empty() && !timed(record))
         items += fmt::format("<dt>build log<dd><pre>{}</pre>", html_lines(shortened(b->log, most_log)));
-    return items.empty() ? "" : fmt::format("<dl>{}</dl>", items);
+    return items.empty() ? "" : fmt::format("<noscript><dl>{}</dl></noscript>", items);
 }
 
 }  // namespace ptb

@@ -4,7 +4,7 @@
 function fillCase(details, record, samples) {
   if (details.classList.contains('whole')) return;
   details.classList.add('whole');
-  details.querySelector('dl')?.remove();
+  details.querySelector('noscript')?.remove();
   details.append(facts({...record, samples: samples.length ? `${samples.length}, below` : 0}));
   if (samples.length) details.append(stripFigure(record, samples));
   drawIn(details);
