@@ -79,8 +79,11 @@
         PT_SURFACE_BYTES(12u)
 /* A unit: its tally. */
 #define PT_UNIT_WORK 0u, 0u, 0u, (uint)sizeof(PtTally)
-/* A tally added to a pixel, and a pixel of the film. */
-#define PT_ADD_WORK 6u, 0u, 0u, (uint)sizeof(PtTally)
+/* A tally added to a pixel, of colours of so many numbers (1 counts vectors' instructions), and a pixel of the film. */
+#ifndef PT_WIDTH
+#define PT_WIDTH 3u
+#endif
+#define PT_ADD_WORK (2u * PT_WIDTH), 0u, 0u, (uint)sizeof(PtTally)
 #define PT_PIXEL_WORK 0u, 0u, 0u, 2u * (uint)sizeof(PtTally)
 
 #endif
