@@ -1,6 +1,7 @@
 // render_once KERNEL LANES SCENE [SPP PATH_LENGTH [OPTIONS]]: renders 8x8 pixels, 2 samples each and paths of
 // 8 segments unless told otherwise, on the first device; SCENE is a shipped scene or "balls:N", OPTIONS are
-// more of the build; words like "rng=park_miller", anywhere, choose a variant. For tools that watch a whole process, such as Oclgrind. Prints the counts.
+// more of the build; words like "rng=park_miller", anywhere, choose a variant. For tools that watch a whole
+// process, such as Oclgrind. Prints the counts.
 #include <cstring>
 #include <exception>
 #include <string>
