@@ -7,8 +7,8 @@
 
 #include "core/integrator/camera.h"
 #include "core/integrator/pt_film.h"
+#include "core/integrator/pt_options.h"
 #include "core/integrator/pt_scene.h"
-#include "core/integrator/variant_support.h"
 #include "core/render/launcher.h"
 
 namespace ptb {
@@ -26,13 +26,7 @@ struct Shape {
         samples_per_unit;  ///< the image depends on it, so on nothing but device, lanes, size and spp
 };
 
-std::uint64_t scene_bytes(std::uint64_t spheres) {
-    return spheres * sizeof(PtSphere) + (spheres + 1) * sizeof(PtSurface);
-}
-
 constexpr std::uint64_t longest_unit = 32;  ///< samples
-
-bool is_gpu(const ocl::Device& device) { return device.info.type != "CPU"; }
 
 /// A GPU wants all its resident lanes busy, and a dozen units each, or the last ones to finish keep it
 /// waiting. A CPU's thread takes units for as long as there are any, so a few items a core are enough.
@@ -40,11 +34,13 @@ Shape shape_of(const ocl::Device& device, const Scene& scene, const RenderJob& j
     const auto cores = static_cast<std::uint64_t>(std::max(device.info.compute_units, 1));
     const auto spp = static_cast<std::uint64_t>(job.spp);
     const std::uint64_t paths = paths_per_item(device, scene, job.path_length);
-    const std::uint64_t busy = is_gpu(device) ? cores * 2048 : cores * static_cast<std::uint64_t>(job.lanes);
+    const std::uint64_t busy =
+        is_throughput_device(device) ? cores * 2048 : cores * static_cast<std::uint64_t>(job.lanes);
     const std::uint64_t fair = std::max<std::uint64_t>(job.size.pixels() * spp / (12 * busy), 1);
     const std::uint64_t runs = divide_up(spp, std::min({fair, longest_unit, paths}));
-    Shape shape{is_gpu(device) ? busy : cores * 64, 0, 0, static_cast<std::uint32_t>(divide_up(spp, runs))};
-    shape.max_units = is_gpu(device) ? 24 * shape.items : 1u << 18;
+    Shape shape{is_throughput_device(device) ? busy : cores * 64, 0, 0,
+                static_cast<std::uint32_t>(divide_up(spp, runs))};
+    shape.max_units = is_throughput_device(device) ? 24 * shape.items : 1u << 18;
     shape.units_per_lane = std::min<std::uint64_t>(paths / shape.samples_per_unit, 0xffffffffu);
     return shape;
 }
@@ -150,7 +146,7 @@ class PtRender : public Render {
     std::optional<Counts> counts() const override { return counted_.read(); }
     std::uint64_t device_bytes() const override {
         return film_->bytes() + shape_.max_units * sizeof(PtTally) +
-               scene_bytes(launch_.opaque_spheres + launch_.two_sided_spheres);
+               pt_scene_bytes(launch_.opaque_spheres + launch_.two_sided_spheres);
     }
 
   private:
@@ -254,92 +250,13 @@ class PtRender : public Render {
     PtLaunch launch_{};
 };
 
-/// An emitter that also scatters.
-bool glows(const Scene& scene) {
-    return std::any_of(scene.materials.begin(), scene.materials.end(),
-                       [](const Material& m) { return m.scatters && dot(m.radiance, m.radiance) > 0; });
-}
-
-bool is_few(const Scene& scene) { return scene.spheres.size() <= PT_FEW_MOST; }
-
-/// Where spheres and surfaces lie: PT_IN_...
-struct Places {
-    int spheres, surfaces;
-};
-
-Places places_of(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
-    switch (job.variant.scene_memory) {
-        case SceneMemory::constant:
-            return {PT_IN_CONSTANT, PT_IN_CONSTANT};
-        case SceneMemory::global:
-            return {PT_IN_GLOBAL, PT_IN_GLOBAL};
-        case SceneMemory::local:
-            return {PT_IN_LOCAL, PT_IN_LOCAL};
-        case SceneMemory::private_memory:
-            return {PT_IN_PRIVATE, PT_IN_PRIVATE};
-        case SceneMemory::automatic:
-        case SceneMemory::argument:
-            break;
-    }
-    if (is_few(scene))
-        return {PT_IN_ARGUMENT, is_gpu(device) && job.lanes == 1 ? PT_IN_LOCAL : PT_IN_CONSTANT};
-    const bool fits = scene_bytes(scene.spheres.size()) <= device.info.constant_bytes;
-    return fits ? Places{PT_IN_CONSTANT, PT_IN_CONSTANT} : Places{PT_IN_GLOBAL, PT_IN_GLOBAL};
-}
-
-std::string memory_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
-    const std::uint64_t bytes = scene_bytes(scene.spheres.size());
-    const auto refused = [&](const std::string& memory, std::uint64_t limit) {
-        return fmt::format("scene_memory {}: {} spheres take {} bytes, this device has {}", memory,
-                           scene.spheres.size(), bytes, limit);
-    };
-    const SceneMemory memory = job.variant.scene_memory;
-    if (memory == SceneMemory::constant && bytes > device.info.constant_bytes)
-        return refused("constant", device.info.constant_bytes);
-    if (memory == SceneMemory::local && bytes > device.info.local_bytes)
-        return refused("local", device.info.local_bytes);
-    const bool by_value = memory == SceneMemory::argument || memory == SceneMemory::private_memory;
-    if (by_value && !is_few(scene))
-        return fmt::format("scene_memory {}: pt takes at most {} spheres so, this scene has {}",
-                           memory == SceneMemory::argument ? "argument" : "private", PT_FEW_MOST,
-                           scene.spheres.size());
-    return "";
-}
-
-std::string refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
-    for (const std::string& reason :
-         {memory_refusal(device, scene, job), pt_film_refusal(device, job.size, job.variant.film_memory)})
-        if (!reason.empty()) return reason;
-    return "";
-}
-
-std::string options(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
-    const PtScene pt_scene = make_pt_scene(scene);
-    const Places places = places_of(device, scene, job);
-    const bool lone_on_gpu = is_gpu(device) && job.lanes == 1;
-    std::string text = common_options(device, job);
-    text += fmt::format(" -DPTB_LANES={} -DPT_SIDE_WORDS={}", job.lanes, pt_scene.camera_sides.size());
-    text += fmt::format(" -DPT_SPHERES={} -DPT_SURFACES={}", places.spheres, places.surfaces);
-    if (places.spheres == PT_IN_LOCAL) text += fmt::format(" -DPT_COUNT={}", pt_scene.spheres.size());
-    if (is_few(scene))
-        text += fmt::format(" -DPT_FEW={} -DPT_OPAQUE={}", pt_scene.spheres.size(), pt_scene.opaque);
-    if (glows(scene)) text += " -DPT_GLOWS";
-    if (lone_on_gpu) text += " -DPT_BATCH=6";
-    if (lone_on_gpu && is_few(scene)) text += " -DPT_CARRIED";
-    if (job.variant.pixel_filter != PixelFilter::jitter)
-        text += fmt::format(" -DPT_FILTER={}",
-                            job.variant.pixel_filter == PixelFilter::centre ? PT_CENTRE : PT_STRATIFIED);
-    if (job.variant.rng == Rng::park_miller) text += " -DPTB_PARK_MILLER";
-    return text;
-}
-
 Integrator::Memory memory(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     const Shape shape = shape_of(device, scene, job);
     const std::uint64_t units =
         job.size.pixels() * divide_up(static_cast<std::uint64_t>(job.spp), shape.samples_per_unit);
     const std::uint64_t film = pt_film_bytes(job.size, job.variant.film_memory);
     const std::uint64_t tallies = std::min(shape.max_units, units) * sizeof(PtTally);
-    return {film + tallies + scene_bytes(scene.spheres.size()),
+    return {film + tallies + pt_scene_bytes(scene.spheres.size()),
             std::max(pt_film_largest(job.size, job.variant.film_memory), tallies)};
 }
 
@@ -354,7 +271,7 @@ Integrator pt_integrator() {
     return {"pt",       "physically right path tracer: no next-event estimation, no roulette",
             "pt/pt.cl", {1, 4, 8, 16, 32},
             false,      true,
-            options,    refusal,
+            pt_options, pt_refusal,
             memory,     make};
 }
 

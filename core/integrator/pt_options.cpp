@@ -1,0 +1,103 @@
+#include "core/integrator/pt_options.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/integrator/pt_film.h"
+#include "core/integrator/pt_scene.h"
+#include "core/integrator/variant_support.h"
+
+namespace ptb {
+
+namespace {
+
+/// An emitter that also scatters.
+bool glows(const Scene& scene) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [](const Material& m) { return m.scatters && dot(m.radiance, m.radiance) > 0; });
+}
+
+bool is_few(const Scene& scene) { return scene.spheres.size() <= PT_FEW_MOST; }
+
+/// Where spheres and surfaces lie: PT_IN_...
+struct Places {
+    int spheres, surfaces;
+};
+
+Places places_of(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+    switch (job.variant.scene_memory) {
+        case SceneMemory::constant:
+            return {PT_IN_CONSTANT, PT_IN_CONSTANT};
+        case SceneMemory::global:
+            return {PT_IN_GLOBAL, PT_IN_GLOBAL};
+        case SceneMemory::local:
+            return {PT_IN_LOCAL, PT_IN_LOCAL};
+        case SceneMemory::private_memory:
+            return {PT_IN_PRIVATE, PT_IN_PRIVATE};
+        case SceneMemory::automatic:
+        case SceneMemory::argument:
+            break;
+    }
+    if (is_few(scene))
+        return {PT_IN_ARGUMENT,
+                is_throughput_device(device) && job.lanes == 1 ? PT_IN_LOCAL : PT_IN_CONSTANT};
+    const bool fits = pt_scene_bytes(scene.spheres.size()) <= device.info.constant_bytes;
+    return fits ? Places{PT_IN_CONSTANT, PT_IN_CONSTANT} : Places{PT_IN_GLOBAL, PT_IN_GLOBAL};
+}
+
+std::string memory_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+    const std::uint64_t bytes = pt_scene_bytes(scene.spheres.size());
+    const auto refused = [&](const std::string& memory, std::uint64_t limit) {
+        return fmt::format("scene_memory {}: {} spheres take {} bytes, this device has {}", memory,
+                           scene.spheres.size(), bytes, limit);
+    };
+    const SceneMemory memory = job.variant.scene_memory;
+    if (memory == SceneMemory::constant && bytes > device.info.constant_bytes)
+        return refused("constant", device.info.constant_bytes);
+    if (memory == SceneMemory::local && bytes > device.info.local_bytes)
+        return refused("local", device.info.local_bytes);
+    const bool by_value = memory == SceneMemory::argument || memory == SceneMemory::private_memory;
+    if (by_value && !is_few(scene))
+        return fmt::format("scene_memory {}: pt takes at most {} spheres so, this scene has {}",
+                           memory == SceneMemory::argument ? "argument" : "private", PT_FEW_MOST,
+                           scene.spheres.size());
+    return "";
+}
+
+}  // namespace
+
+std::string pt_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+    for (const std::string& reason :
+         {memory_refusal(device, scene, job), pt_film_refusal(device, job.size, job.variant.film_memory)})
+        if (!reason.empty()) return reason;
+    return "";
+}
+
+std::string pt_options(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+    const PtScene pt_scene = make_pt_scene(scene);
+    const Places places = places_of(device, scene, job);
+    const bool lone_on_gpu = is_throughput_device(device) && job.lanes == 1;
+    std::string text = common_options(device, job);
+    text += fmt::format(" -DPTB_LANES={} -DPT_SIDE_WORDS={}", job.lanes, pt_scene.camera_sides.size());
+    text += fmt::format(" -DPT_SPHERES={} -DPT_SURFACES={}", places.spheres, places.surfaces);
+    if (places.spheres == PT_IN_LOCAL) text += fmt::format(" -DPT_COUNT={}", pt_scene.spheres.size());
+    if (is_few(scene))
+        text += fmt::format(" -DPT_FEW={} -DPT_OPAQUE={}", pt_scene.spheres.size(), pt_scene.opaque);
+    if (glows(scene)) text += " -DPT_GLOWS";
+    if (lone_on_gpu) text += " -DPT_BATCH=6";
+    if (lone_on_gpu && is_few(scene)) text += " -DPT_CARRIED";
+    if (job.variant.pixel_filter != PixelFilter::jitter)
+        text += fmt::format(" -DPT_FILTER={}",
+                            job.variant.pixel_filter == PixelFilter::centre ? PT_CENTRE : PT_STRATIFIED);
+    if (job.variant.rng == Rng::park_miller) text += " -DPTB_PARK_MILLER";
+    return text;
+}
+
+std::uint64_t pt_scene_bytes(std::uint64_t spheres) {
+    return spheres * sizeof(PtSphere) + (spheres + 1) * sizeof(PtSurface);
+}
+
+bool is_throughput_device(const ocl::Device& device) { return device.info.type != "CPU"; }
+
+}  // namespace ptb
