@@ -94,7 +94,9 @@ class Browser:
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=width < 500)
         self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
 
-    def screenshot(self, file):
-        self.settle()
+    def screenshot(self, file, scripted=True):
+        """Of the whole page; one without scripts cannot say when it has drawn."""
+        if scripted:
+            self.settle()
         shot = self.call("Page.captureScreenshot", captureBeyondViewport=True)
         file.write_bytes(base64.b64decode(shot["data"]))

@@ -184,7 +184,7 @@ class Page(unittest.TestCase):
             BROWSER.evaluate("document.querySelectorAll('details').forEach((d) => { d.open = true; })")
             BROWSER.look(380, "light")
             self.assertLessEqual(BROWSER.evaluate("document.documentElement.scrollWidth"), 380)
-            BROWSER.screenshot(SHOTS / "without-scripts.png")
+            BROWSER.screenshot(SHOTS / "without-scripts.png", scripted=False)
         finally:
             BROWSER.call("Emulation.setScriptExecutionDisabled", value=False)
 
