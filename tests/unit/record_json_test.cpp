@@ -36,8 +36,9 @@ class RecordJson : public testing::Test {
 Record full_record() {
     Record r;
     r.params = {"pocl:0", "pt", "thesis", {128, 64}, 10, 128, {16, 16}, 8};
+    r.params.variant.rng = Rng::park_miller;
     r.status = Status::ok;
-    r.work = Work{81920, std::numeric_limits<std::uint64_t>::max(), 3, 8, 5, 2, 250'000'000, 1u << 20};
+    r.work = Work{81920, std::numeric_limits<std::uint64_t>::max(), 3, 8, 5, 2, 250'000'000, 1u << 20, 0.25};
     r.build = Build{"-cl-std=CL1.2",    "ab12", true, 1.5, 0.25, 0.125, 12345, 4096, 8, 0, 64,
                     "warning: \"x\"\n", 155625, 128,  0,   {}};
     r.samples = {{100, 101, 102, 3, 4, 5, ""},
