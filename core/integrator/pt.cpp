@@ -8,6 +8,7 @@
 #include "core/integrator/camera.h"
 #include "core/integrator/pt_film.h"
 #include "core/integrator/pt_options.h"
+#include "core/integrator/pt_runs.h"
 #include "core/integrator/pt_scene.h"
 #include "core/render/launcher.h"
 
@@ -22,11 +23,10 @@ struct Shape {
     std::uint64_t items;           ///< work-items of a launch; they share one queue of units
     std::uint64_t max_units;       ///< of one launch: bounds the memory of their tallies
     std::uint64_t units_per_lane;  ///< a lane takes no more
-    std::uint32_t
-        samples_per_unit;  ///< the image depends on it, so on nothing but device, lanes, size and spp
+    PtRuns runs;  ///< the image depends on them, so on nothing but device, lanes, size and spp
 };
 
-constexpr std::uint64_t longest_unit = 32;  ///< samples
+constexpr std::uint64_t longest_round = 512;  ///< samples
 
 /// A GPU wants all its resident lanes busy, and a dozen units each, or the last ones to finish keep it
 /// waiting. A CPU's thread takes units for as long as there are any, so a few items a core are enough.
@@ -37,11 +37,10 @@ Shape shape_of(const ocl::Device& device, const Scene& scene, const RenderJob& j
     const std::uint64_t busy =
         is_throughput_device(device) ? cores * 2048 : cores * static_cast<std::uint64_t>(job.lanes);
     const std::uint64_t fair = std::max<std::uint64_t>(job.size.pixels() * spp / (12 * busy), 1);
-    const std::uint64_t runs = divide_up(spp, std::min({fair, longest_unit, paths}));
     Shape shape{is_throughput_device(device) ? busy : cores * 64, 0, 0,
-                static_cast<std::uint32_t>(divide_up(spp, runs))};
+                make_pt_runs(static_cast<std::uint32_t>(spp), fair, std::min(longest_round, paths))};
     shape.max_units = is_throughput_device(device) ? 24 * shape.items : 1u << 18;
-    shape.units_per_lane = std::min<std::uint64_t>(paths / shape.samples_per_unit, 0xffffffffu);
+    shape.units_per_lane = std::min<std::uint64_t>(paths / shape.runs.longest(), 0xffffffffu);
     return shape;
 }
 
@@ -64,22 +63,18 @@ class PtRender : public Render {
           pixels_(job.size.pixels()),
           launcher_(device, job.variant),
           counted_(device, program) {
-        runs_ = static_cast<std::uint32_t>(
-            divide_up(static_cast<std::uint64_t>(job.spp), shape_.samples_per_unit));
-        shape_.max_units = std::min<std::uint64_t>(shape_.max_units, pixels_ * runs_);
+        shape_.max_units = std::min<std::uint64_t>(shape_.max_units, pixels_ * shape_.runs.count());
         const PtScene pt_scene = make_pt_scene(scene);
+        scene_bytes_ = pt_scene.bytes();
         launch_.camera = device_camera(scene.camera, job.size);
         launch_.width = static_cast<std::uint32_t>(job.size.width);
-        launch_.samples_per_unit = shape_.samples_per_unit;
-        launch_.spp = static_cast<std::uint32_t>(job.spp);
         launch_.path_length = static_cast<std::uint32_t>(job.path_length);
         launch_.units_per_lane = static_cast<std::uint32_t>(shape_.units_per_lane);
         launch_.seed = job.seed;
         launch_.distance_mask = ~std::uint32_t{15};
-        launch_.camera_side = pt_scene.camera_sides.front();
         launch_.opaque_spheres = pt_scene.opaque;
         launch_.two_sided_spheres = pt_scene.two_sided;
-        stratify(launch_, launch_.spp);
+        stratify(launch_, static_cast<std::uint32_t>(job.spp));
         ocl::checked("pt buffers", device_.info.name, [&] {
             render_ = cl::Kernel(program.program, "pt_render");
             counted_.give(render_);
@@ -90,6 +85,7 @@ class PtRender : public Render {
             spheres_ = upload(pt_scene.spheres);
             surfaces_ = upload(pt_scene.surfaces);
             sides_ = upload(pt_scene.camera_sides);
+            starts_ = upload(shape_.runs.starts);
             few_ = pt_scene.few;
         });
         restart();
@@ -105,15 +101,12 @@ class PtRender : public Render {
     }
 
     std::uint64_t samples_left() const override {
-        const std::uint64_t done_before =
-            std::min<std::uint64_t>(std::uint64_t{run_} * shape_.samples_per_unit, launch_.spp);
-        const std::uint64_t in_run =
-            std::min<std::uint64_t>(shape_.samples_per_unit, launch_.spp - done_before);
-        return pixels_ * (launch_.spp - done_before) - pixel_ * in_run;
+        const std::uint64_t left = shape_.runs.starts.back() - shape_.runs.starts[run_];
+        return left == 0 ? 0 : pixels_ * left - pixel_ * shape_.runs.length(run_);
     }
 
     std::vector<LaunchTimes> advance(std::uint64_t samples) override {
-        plan_launch(std::clamp<std::uint64_t>(samples / shape_.samples_per_unit, 1, shape_.max_units));
+        plan_launch(samples);
         const std::uint64_t slices = slices_of(launch_.units);
         const Ranges ranges = ranges_of(launch_.units / slices);
         const auto times = ocl::checked("pt_render, " + describe(ranges), device_.info.name, [&] {
@@ -145,8 +138,7 @@ class PtRender : public Render {
     ocl::KernelFacts facts() const override { return kernel_facts(device_, render_); }
     std::optional<Counts> counts() const override { return counted_.read(); }
     std::uint64_t device_bytes() const override {
-        return film_->bytes() + shape_.max_units * sizeof(PtTally) +
-               pt_scene_bytes(launch_.opaque_spheres + launch_.two_sided_spheres);
+        return film_->bytes() + shape_.max_units * sizeof(PtTally) + scene_bytes_;
     }
 
   private:
@@ -207,8 +199,9 @@ class PtRender : public Render {
         render_.setArg(2, spheres_);
         render_.setArg(3, surfaces_);
         render_.setArg(4, sides_);
-        render_.setArg(5, few_);
-        render_.setArg(6, part);
+        render_.setArg(5, starts_);
+        render_.setArg(6, few_);
+        render_.setArg(7, part);
         launcher_.launch(render_, ranges_of(part.units - part.first_unit));
     }
 
@@ -218,13 +211,27 @@ class PtRender : public Render {
         return std::max(shape_.items, 4 * group * static_cast<std::uint64_t>(device_.info.compute_units));
     }
 
-    /// Whole runs of the image while the budget holds one, else a band of pixels of one run.
-    void plan_launch(std::uint64_t units) {
-        const std::uint64_t runs = pixel_ == 0 ? std::min<std::uint64_t>(units / pixels_, runs_ - run_) : 0;
+    /// Whole runs of the image, if the budget holds one, else a band of pixels of one run.
+    void plan_launch(std::uint64_t samples) {
+        const std::uint32_t runs = pixel_ == 0 ? whole_runs(samples) : 0;
+        const std::uint64_t band =
+            std::clamp<std::uint64_t>(samples / shape_.runs.length(run_), 1, shape_.max_units);
         launch_.first_pixel = static_cast<std::uint32_t>(pixel_);
-        launch_.pixels = static_cast<std::uint32_t>(runs > 0 ? pixels_ : std::min(units, pixels_ - pixel_));
+        launch_.pixels = static_cast<std::uint32_t>(runs > 0 ? pixels_ : std::min(band, pixels_ - pixel_));
         launch_.first_run = run_;
-        launch_.units = static_cast<std::uint32_t>(launch_.pixels * std::max<std::uint64_t>(runs, 1));
+        launch_.units = launch_.pixels * std::max(runs, 1u);
+    }
+
+    /// As many as the budget holds, to the end of a round if there is one among them.
+    std::uint32_t whole_runs(std::uint64_t samples) const {
+        const auto& starts = shape_.runs.starts;
+        std::uint32_t end = run_, round_end = run_;
+        while (end < shape_.runs.count() && (starts[end + 1] - starts[run_]) * pixels_ <= samples &&
+               (end + 1 - run_) * pixels_ <= shape_.max_units) {
+            if (shape_.runs.ends_round(end)) round_end = end + 1;
+            ++end;
+        }
+        return (round_end > run_ ? round_end : end) - run_;
     }
 
     void step_on() {
@@ -237,26 +244,24 @@ class PtRender : public Render {
     ocl::Device device_;
     RenderJob job_;
     Shape shape_;
-    std::uint64_t pixels_;
+    std::uint64_t pixels_, scene_bytes_ = 0;
     std::uint64_t pixel_ = 0;  ///< first pixel of the next launch
     std::uint32_t run_ = 0;    ///< its run of samples
-    std::uint32_t runs_ = 0;
     Launcher launcher_;
     CountedRows counted_;
     cl::Kernel render_;
     std::unique_ptr<PtFilm> film_;
-    cl::Buffer tallies_, counters_, spheres_, surfaces_, sides_;
+    cl::Buffer tallies_, counters_, spheres_, surfaces_, sides_, starts_;
     PtFewSpheres few_{};
     PtLaunch launch_{};
 };
 
 Integrator::Memory memory(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     const Shape shape = shape_of(device, scene, job);
-    const std::uint64_t units =
-        job.size.pixels() * divide_up(static_cast<std::uint64_t>(job.spp), shape.samples_per_unit);
+    const std::uint64_t units = job.size.pixels() * shape.runs.count();
     const std::uint64_t film = pt_film_bytes(job.size, job.variant.film_memory);
     const std::uint64_t tallies = std::min(shape.max_units, units) * sizeof(PtTally);
-    return {film + tallies + pt_scene_bytes(scene.spheres.size()),
+    return {film + tallies + make_pt_scene(scene).bytes(),
             std::max(pt_film_largest(job.size, job.variant.film_memory), tallies)};
 }
 

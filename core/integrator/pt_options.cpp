@@ -18,14 +18,12 @@ bool glows(const Scene& scene) {
                        [](const Material& m) { return m.scatters && dot(m.radiance, m.radiance) > 0; });
 }
 
-bool is_few(const Scene& scene) { return scene.spheres.size() <= PT_FEW_MOST; }
-
 /// Where spheres and surfaces lie: PT_IN_...
 struct Places {
     int spheres, surfaces;
 };
 
-Places places_of(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+Places places_of(const ocl::Device& device, const PtScene& scene, const RenderJob& job) {
     switch (job.variant.scene_memory) {
         case SceneMemory::constant:
             return {PT_IN_CONSTANT, PT_IN_CONSTANT};
@@ -39,15 +37,15 @@ Places places_of(const ocl::Device& device, const Scene& scene, const RenderJob&
         case SceneMemory::argument:
             break;
     }
-    if (is_few(scene))
+    if (scene.is_few())
         return {PT_IN_ARGUMENT,
                 is_throughput_device(device) && job.lanes == 1 ? PT_IN_LOCAL : PT_IN_CONSTANT};
-    const bool fits = pt_scene_bytes(scene.spheres.size()) <= device.info.constant_bytes;
-    return fits ? Places{PT_IN_CONSTANT, PT_IN_CONSTANT} : Places{PT_IN_GLOBAL, PT_IN_GLOBAL};
+    return scene.bytes() <= device.info.constant_bytes ? Places{PT_IN_CONSTANT, PT_IN_CONSTANT}
+                                                       : Places{PT_IN_GLOBAL, PT_IN_GLOBAL};
 }
 
-std::string memory_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
-    const std::uint64_t bytes = pt_scene_bytes(scene.spheres.size());
+std::string memory_refusal(const ocl::Device& device, const PtScene& scene, const RenderJob& job) {
+    const std::uint64_t bytes = scene.bytes();
     const auto refused = [&](const std::string& memory, std::uint64_t limit) {
         return fmt::format("scene_memory {}: {} spheres take {} bytes, this device has {}", memory,
                            scene.spheres.size(), bytes, limit);
@@ -58,44 +56,44 @@ std::string memory_refusal(const ocl::Device& device, const Scene& scene, const 
     if (memory == SceneMemory::local && bytes > device.info.local_bytes)
         return refused("local", device.info.local_bytes);
     const bool by_value = memory == SceneMemory::argument || memory == SceneMemory::private_memory;
-    if (by_value && !is_few(scene))
-        return fmt::format("scene_memory {}: pt takes at most {} spheres so, this scene has {}",
+    if (by_value && !scene.is_few())
+        return fmt::format("scene_memory {}: pt takes at most {} faces so, these {} spheres have {}",
                            memory == SceneMemory::argument ? "argument" : "private", PT_FEW_MOST,
-                           scene.spheres.size());
+                           scene.spheres.size(), scene.faces());
     return "";
 }
 
 }  // namespace
 
 std::string pt_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
-    for (const std::string& reason :
-         {memory_refusal(device, scene, job), pt_film_refusal(device, job.size, job.variant.film_memory)})
+    for (const std::string& reason : {memory_refusal(device, make_pt_scene(scene), job),
+                                      pt_film_refusal(device, job.size, job.variant.film_memory)})
         if (!reason.empty()) return reason;
     return "";
 }
 
 std::string pt_options(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     const PtScene pt_scene = make_pt_scene(scene);
-    const Places places = places_of(device, scene, job);
+    const Places places = places_of(device, pt_scene, job);
     const bool lone_on_gpu = is_throughput_device(device) && job.lanes == 1;
     std::string text = common_options(device, job);
     text += fmt::format(" -DPTB_LANES={} -DPT_SIDE_WORDS={}", job.lanes, pt_scene.camera_sides.size());
     text += fmt::format(" -DPT_SPHERES={} -DPT_SURFACES={}", places.spheres, places.surfaces);
-    if (places.spheres == PT_IN_LOCAL) text += fmt::format(" -DPT_COUNT={}", pt_scene.spheres.size());
-    if (is_few(scene))
-        text += fmt::format(" -DPT_FEW={} -DPT_OPAQUE={}", pt_scene.spheres.size(), pt_scene.opaque);
+    if (pt_scene.is_few())
+        text +=
+            fmt::format(" -DPT_FEW={} -DPT_OPAQUE={} -DPT_ZERO_X={:#x} -DPT_ZERO_Y={:#x} -DPT_ZERO_Z={:#x}",
+                        pt_scene.spheres.size(), pt_scene.opaque, pt_scene.zeros[0], pt_scene.zeros[1],
+                        pt_scene.zeros[2]);
+    else if (places.spheres == PT_IN_LOCAL)
+        text += fmt::format(" -DPT_COUNT={} -DPT_FACES={}", pt_scene.spheres.size(), pt_scene.faces());
     if (glows(scene)) text += " -DPT_GLOWS";
     if (lone_on_gpu) text += " -DPT_BATCH=6";
-    if (lone_on_gpu && is_few(scene)) text += " -DPT_CARRIED";
+    if (lone_on_gpu && pt_scene.is_few()) text += " -DPT_CARRIED";
     if (job.variant.pixel_filter != PixelFilter::jitter)
         text += fmt::format(" -DPT_FILTER={}",
                             job.variant.pixel_filter == PixelFilter::centre ? PT_CENTRE : PT_STRATIFIED);
     if (job.variant.rng == Rng::park_miller) text += " -DPTB_PARK_MILLER";
     return text;
-}
-
-std::uint64_t pt_scene_bytes(std::uint64_t spheres) {
-    return spheres * sizeof(PtSphere) + (spheres + 1) * sizeof(PtSurface);
 }
 
 bool is_throughput_device(const ocl::Device& device) { return device.info.type != "CPU"; }

@@ -13,9 +13,6 @@ std::string pt_options(const ocl::Device& device, const Scene& scene, const Rend
 /// Why `pt` does not do a job of this variant on this device, or nothing.
 std::string pt_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job);
 
-/// Bytes of spheres and surfaces on the device.
-std::uint64_t pt_scene_bytes(std::uint64_t spheres);
-
 /// One that wants thousands of work-items: all but CPUs.
 bool is_throughput_device(const ocl::Device& device);
 

@@ -1,5 +1,6 @@
 #include "core/integrator/pt_scene.h"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 
@@ -22,65 +23,92 @@ float camera_gap(const Scene& scene, const Sphere& sphere) {
     return static_cast<float>(sphere.radius * sphere.radius - dot(to_centre, to_centre));
 }
 
-/// The bit for a side's number.
-float side_bit(float number) {
-    const auto side = std::bit_cast<std::uint32_t>(number);
-    return std::bit_cast<float>(side == PT_OPAQUE_SIDE ? 0u : 0x80000000u >> side);
-}
-
-PtSurface device_surface(const Sphere& sphere, const Material& material, std::uint32_t side) {
+/// `side`: bits of a float, see PtSurface.
+PtSurface outer_face(const Sphere& sphere, const Material& material, float side) {
     const bool mirror = material.type == MaterialType::mirror;
     const bool dielectric = material.type == MaterialType::dielectric;
     const Vec3 weight = dielectric || !material.scatters ? Vec3{1, 1, 1}
                         : mirror                         ? material.reflectance
                                                          : material.albedo;
-    const double ior = dielectric ? material.ior : std::numeric_limits<double>::quiet_NaN();
-    const float kind = !material.scatters ? -1.0f : mirror || dielectric ? 1.0f : 0.0f;
-    return {device_vector(sphere.centre, 1 / sphere.radius),
-            device_vector(weight, ior),
+    const double outwards = 1 / sphere.radius;
+    const double eta = dielectric ? 1 / material.ior : std::numeric_limits<double>::quiet_NaN();
+    const double mirrored = !material.scatters ? -1 : mirror || dielectric ? 2 * outwards * outwards : 0;
+    return {device_vector(sphere.centre, mirrored == 0 ? outwards : 0),
+            device_vector(weight, eta),
             device_vector(material.radiance),
-            {kind, static_cast<float>(1 / ior), 0, std::bit_cast<float>(side)},
+            {static_cast<float>(mirrored), static_cast<float>(outwards), static_cast<float>(outwards / eta),
+             side},
             {}};
+}
+
+PtSurface inner_face(PtSurface face) {
+    const float eta = 1 / face.weight_eta.w;
+    face.centre_matte.w *= -1;
+    face.weight_eta.w = eta;
+    face.traits.y *= -1;
+    face.traits.z = face.traits.y / eta;
+    return face;
 }
 
 PtSurface background() {
     PtSurface surface{};
-    surface.traits = {-1, 0, 0, std::bit_cast<float>(PT_OPAQUE_SIDE)};
+    surface.traits.x = -1;
     return surface;
+}
+
+PtStart start(const Scene& scene, const std::vector<Sphere>& spheres, std::uint32_t side) {
+    PtStart result{};
+    const ptb_float4 position = device_vector(scene.camera.position);
+    result.position_side = {position.x, position.y, position.z, std::bit_cast<float>(side)};
+    for (std::size_t i = 0; i < std::min<std::size_t>(spheres.size(), PT_FEW_MOST); ++i)
+        (&result.gap[i / 4].x)[i % 4] = camera_gap(scene, spheres[i]);
+    return result;
+}
+
+void note_zeros(const ptb_float4& centre, std::size_t i, std::array<std::uint32_t, 3>& zeros) {
+    const float coordinates[3] = {centre.x, centre.y, centre.z};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (coordinates[axis] == 0) zeros[axis] |= 1u << i;
+}
+
+bool is_two_sided(const Scene& scene, const Sphere& sphere) {
+    return scene.materials[static_cast<std::size_t>(sphere.material)].type == MaterialType::dielectric ||
+           camera_inside(scene, sphere);
 }
 
 }  // namespace
 
 PtScene make_pt_scene(const Scene& scene) {
     PtScene result;
-    const auto add = [&](const Sphere& sphere, const Material& material, bool two_sided) {
-        if (const std::size_t i = result.spheres.size(); i < PT_FEW_MOST) {
-            result.few.sphere[i] = device_sphere(sphere);
-            result.few.camera_gap[i] = camera_gap(scene, sphere);
-        }
+    std::vector<PtSurface> opaque;
+    std::vector<Sphere> spheres = scene.spheres;
+    const auto first_two_sided = std::stable_partition(
+        spheres.begin(), spheres.end(), [&](const Sphere& sphere) { return !is_two_sided(scene, sphere); });
+    result.opaque = static_cast<std::uint32_t>(first_two_sided - spheres.begin());
+    result.two_sided = static_cast<std::uint32_t>(spheres.size()) - result.opaque;
+    result.camera_sides.resize(std::max(1u, (result.two_sided + 31) / 32));
+    for (std::uint32_t i = 0; i < spheres.size(); ++i) {
+        const Sphere& sphere = spheres[i];
         result.spheres.push_back(device_sphere(sphere));
-        result.surfaces.push_back(
-            device_surface(sphere, material, two_sided ? result.two_sided : PT_OPAQUE_SIDE));
-    };
-    for (const bool two_sided : {false, true}) {
-        for (const Sphere& sphere : scene.spheres) {
-            const Material& material = scene.materials[static_cast<std::size_t>(sphere.material)];
-            const bool inside = camera_inside(scene, sphere);
-            if ((inside || material.type == MaterialType::dielectric) != two_sided) continue;
-            add(sphere, material, two_sided);
-            if (!two_sided) {
-                ++result.opaque;
-                continue;
-            }
-            result.camera_sides.resize(result.two_sided / 32 + 1);
-            result.camera_sides.back() |= (inside ? 0x80000000u : 0u) >> (result.two_sided % 32);
-            ++result.two_sided;
+        if (i < PT_FEW_MOST) {
+            result.few.sphere[i] = result.spheres.back();
+            note_zeros(result.spheres.back().centre_k, i, result.zeros);
         }
+        const std::uint32_t number = i < result.opaque ? 0 : i - result.opaque;
+        const std::uint32_t bit = 0x80000000u >> number % 32;
+        const std::uint32_t side = result.camera_sides.size() == 1 ? bit : number;
+        const PtSurface outer = outer_face(sphere, scene.materials[static_cast<std::size_t>(sphere.material)],
+                                           std::bit_cast<float>(side));
+        if (i < result.opaque) {
+            opaque.push_back(outer);
+            continue;
+        }
+        result.surfaces.insert(result.surfaces.end(), {outer, inner_face(outer)});
+        if (camera_inside(scene, sphere)) result.camera_sides[number / 32] |= bit;
     }
+    result.surfaces.insert(result.surfaces.end(), opaque.begin(), opaque.end());
     result.surfaces.push_back(background());
-    if (result.camera_sides.empty()) result.camera_sides.push_back(0);
-    if (result.camera_sides.size() == 1)
-        for (PtSurface& surface : result.surfaces) surface.traits.w = side_bit(surface.traits.w);
+    result.surfaces.push_back(std::bit_cast<PtSurface>(start(scene, spheres, result.camera_sides.front())));
     return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,11 +14,18 @@ namespace ptb {
 /// bits.
 struct PtScene {
     std::vector<PtSphere> spheres;
-    PtFewSpheres few{};               ///< the same spheres, up to PT_FEW_MOST of them
-    std::vector<PtSurface> surfaces;  ///< one a sphere, and the background's
+    PtFewSpheres few{};                    ///< the same spheres, up to PT_FEW_MOST of them
+    std::vector<PtSurface> surfaces;       ///< one a face, the background's, and the bits of a PtStart
+    std::array<std::uint32_t, 3> zeros{};  ///< x, y, z: bit i where the centre of few sphere i has a 0
     std::vector<std::uint32_t>
         camera_sides;  ///< bit j from the top: the camera is inside two-sided sphere j; at least one word
     std::uint32_t opaque = 0, two_sided = 0;
+
+    std::uint64_t faces() const { return surfaces.size() - 2; }
+    bool is_few() const { return faces() <= PT_FEW_MOST; }
+    std::uint64_t bytes() const {
+        return spheres.size() * sizeof(PtSphere) + surfaces.size() * sizeof(PtSurface);
+    }
 };
 
 /// Which spheres the camera is in is decided in double.

@@ -67,7 +67,7 @@ static inline lanes_mask lanes_all(void) { return (lanes_mask)(-1); }
 
 /* The value, which must be in registers here and which the compiler cannot look through; of use with AVX2 only. There
    masks are whole registers, but LLVM packs one that outlives its block into bytes, and unpacks it at every use: 1.03 (two
-   Zen 3 cores, PoCL). It also moves arithmetic to where it is used, however long the wait there. */
+   Zen 3 cores, PoCL). */
 static inline lanes_i lanes_hold(lanes_i value) {
 #if PTB_X86 == 8 && PTB_LANES == 8
     __asm__ volatile("" : "+x"(value));
@@ -75,6 +75,14 @@ static inline lanes_i lanes_hold(lanes_i value) {
     int8 low = value.lo, high = value.hi;
     __asm__ volatile("" : "+x"(low), "+x"(high));
     value = (int16)(low, high);
+#endif
+    return value;
+}
+
+/* The same for NVIDIA's compiler, which otherwise makes a value anew at every use instead of keeping it. */
+static inline uint uint_hold(uint value) {
+#if PTB_PTX
+    __asm__ volatile("" : "+r"(value));
 #endif
     return value;
 }
@@ -102,7 +110,11 @@ static inline lanes_u lanes_select_u(lanes_u if_false, lanes_u if_true, lanes_ma
     return mask ? if_true : if_false;
 }
 
+#if PTB_LANES == 1
+static inline lanes_f lanes_abs(lanes_f a) { return fabs(a); }
+#else
 static inline lanes_f lanes_abs(lanes_f a) { return lanes_as_f(lanes_as_u(a) & 0x7fffffffu); }
+#endif
 /* With a NaN, b: one instruction, where fmin and fmax take four. */
 static inline lanes_f lanes_min(lanes_f a, lanes_f b) { return lanes_select(b, a, a < b); }
 static inline lanes_f lanes_max(lanes_f a, lanes_f b) { return lanes_select(b, a, a > b); }

@@ -1,7 +1,7 @@
 /* Random numbers: a generator per path, seeded by a hash of (pixel, sample), so a path's numbers depend on nothing
-   else. The generator is xoroshiro64: see "Scrambled Linear Pseudorandom Number Generators", by D. Blackman and
-   S. Vigna. Its 64 bits of state make paths that share a stretch of numbers unlikely, and it needs only 32-bit
-   products, which every SIMD unit has. */
+   else. The generator is a linear congruential one whose state is a vector of two words modulo 2^32: two multiply-adds make
+   two numbers, of which only the upper bits are used. Its 64 bits of state make paths that share a stretch of numbers
+   unlikely. */
 #ifndef PTB_LIB_RANDOM_H
 #define PTB_LIB_RANDOM_H
 
@@ -50,8 +50,9 @@ static inline Random random_of_path(lanes_u of_pixel, lanes_u sample) {
     return random;
 }
 
-/* A float in [1, 2) of a word's upper bits: no conversion, and most users can do without the subtraction of 1. */
-static inline lanes_f random_float(lanes_u word) { return lanes_as_f((word >> 9) | 0x3f800000u); }
+/* Floats of a word's upper bits, in [1, 2) and [2, 4): no conversion, and most users need no other range. */
+static inline lanes_f random_1_2(lanes_u word) { return lanes_as_f((word >> 9) | 0x3f800000u); }
+static inline lanes_f random_2_4(lanes_u word) { return lanes_as_f((word >> 9) | 0x40000000u); }
 
 #ifdef PTB_PARK_MILLER
 
@@ -62,23 +63,21 @@ static inline lanes_u park_miller(lanes_u a) {
     const lanes_u sum = (((high & 0x7fffu) << 16) | (low & 0xffffu)) + (high >> 15);
     return lanes_min_u(sum, sum - PARK_MILLER_MODULUS);
 }
-static inline void random_next_two(Random* random, lanes_f* u, lanes_f* v) {
+static inline void random_next_two(Random* random, lanes_u* u, lanes_u* v) {
     random->a = park_miller(random->a);
-    *u = random_float(random->a << 1);
+    *u = random->a << 1;
     random->a = park_miller(random->a);
-    *v = random_float(random->a << 1);
+    *v = random->a << 1;
 }
 
 #else
 
-/* The next two numbers, uniform in [1, 2), multiples of 2^-23: one step of the state serves both, each of its words
-   scrambled by a product of its own. */
-static inline void random_next_two(Random* random, lanes_f* u, lanes_f* v) {
-    *u = random_float(random->a * 0x9e3779bbu);
-    *v = random_float(random->b * 0x85ebca6bu);
-    const lanes_u mixed = random->a ^ random->b;
-    random->a = ((random->a << 26) | (random->a >> 6)) ^ mixed ^ (mixed << 9);
-    random->b = (mixed << 13) | (mixed >> 19);
+/* The next two words, uniform in their upper bits. */
+static inline void random_next_two(Random* random, lanes_u* u, lanes_u* v) {
+    *u = random->a;
+    *v = random->b;
+    random->a = random->a * 0xeafbebfbu + random->b;
+    random->b = random->b * 0xe4c341f9u + random->a;
 }
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef PTB_LIB_SPHERE_DIRECTION_H
 #define PTB_LIB_SPHERE_DIRECTION_H
 
-#include "lib/roots.h"
+#include "lib/random.h"
 #include "lib/vec.h"
 
 /* Sine and cosine of 2 pi turns, times `length`, for turns in [1, 2). */
@@ -23,11 +23,12 @@ static inline void turned_sincos(lanes_f turns, lanes_f length, lanes_f* sine, l
 #endif
 }
 
-/* A point of the unit sphere, uniform by area, of two uniform numbers in [1, 2) (Archimedes: z is uniform). */
-static inline Vec uniform_sphere(lanes_f u, lanes_f v) {
+/* A point of the unit sphere, uniform by area, of two random words (Archimedes: z is uniform). The sign of y does not
+   depend on z. */
+static inline Vec uniform_sphere(lanes_u u, lanes_u v) {
     Vec point;
-    point.z = 3.0f - 2.0f * u; /* exact, so never beyond 1 */
-    turned_sincos(v, lanes_sqrt(1.0f - point.z * point.z), &point.y, &point.x);
+    point.z = 3.0f - random_2_4(u); /* exact, so never beyond 1 */
+    turned_sincos(random_1_2(v), lanes_sqrt(1.0f - point.z * point.z), &point.y, &point.x);
     return point;
 }
 

@@ -25,8 +25,6 @@ static inline Vec vec_add_scaled(Vec a, Vec b, lanes_f s) {
 }
 /* a + b c, component by component */
 static inline Vec vec_mul_add(Vec a, Vec b, Vec c) { return vec(b.x * c.x + a.x, b.y * c.y + a.y, b.z * c.z + a.z); }
-/* c.a + more */
-static inline lanes_f vec_dot_add(float4 c, Vec a, lanes_f more) { return c.x * a.x + (c.y * a.y + (c.z * a.z + more)); }
 static inline lanes_f vec_dot(Vec a, Vec b) { return a.x * b.x + (a.y * b.y + a.z * b.z); }
 static inline Vec vec_normalize(Vec a) { return vec_scale(a, lanes_rsqrt(vec_dot(a, a))); }
 static inline Vec vec_select(Vec if_false, Vec if_true, lanes_mask mask) {

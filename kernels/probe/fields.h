@@ -9,16 +9,14 @@
 #define PTB_SHARED_FIELDS(S, F)                                                                       \
     S(PtbCamera) F(PtbCamera, position) F(PtbCamera, corner) F(PtbCamera, step_x) F(PtbCamera, step_y) \
     S(PtSphere) F(PtSphere, centre_k)                                                                 \
-    S(PtSurface) F(PtSurface, centre_inverse_radius) F(PtSurface, weight) F(PtSurface, radiance)      \
+    S(PtSurface) F(PtSurface, centre_matte) F(PtSurface, weight_eta) F(PtSurface, radiance)           \
     F(PtSurface, traits) F(PtSurface, padding)                                                        \
-    S(PtFewSpheres) F(PtFewSpheres, sphere) F(PtFewSpheres, camera_gap)                               \
+    S(PtFewSpheres) F(PtFewSpheres, sphere) S(PtStart) F(PtStart, position_side) F(PtStart, gap)      \
     S(PtLaunch) F(PtLaunch, camera) F(PtLaunch, width) F(PtLaunch, first_pixel) F(PtLaunch, pixels)   \
-    F(PtLaunch, first_run) F(PtLaunch, units) F(PtLaunch, samples_per_unit) F(PtLaunch, spp)          \
-    F(PtLaunch, path_length) F(PtLaunch, seed) F(PtLaunch, opaque_spheres)                            \
-    F(PtLaunch, two_sided_spheres) F(PtLaunch, units_per_lane) F(PtLaunch, camera_side)               \
+    F(PtLaunch, first_run) F(PtLaunch, units) F(PtLaunch, path_length) F(PtLaunch, seed)              \
+    F(PtLaunch, opaque_spheres) F(PtLaunch, two_sided_spheres) F(PtLaunch, units_per_lane)            \
     F(PtLaunch, distance_mask) F(PtLaunch, first_unit) F(PtLaunch, slice)                             \
     F(PtLaunch, strata_columns) F(PtLaunch, stratum_width) F(PtLaunch, stratum_height)                \
-    F(PtLaunch, padding)                                                                              \
     S(PtTally) F(PtTally, radiance) F(PtTally, squares) F(PtTally, samples) F(PtTally, segments)      \
     F(PtTally, full_length_paths) F(PtTally, padding)                                                 \
     S(ThesisMaterial) F(ThesisMaterial, colour) F(ThesisMaterial, radiance) F(ThesisMaterial, type)   \

@@ -4,11 +4,11 @@
 
 #include "pt/scene.h"
 
-/* The nearest sphere so far. Distances compare by their bits: those of a missed sphere (NaN) and of one behind
+/* The nearest face so far. Distances compare by their bits: those of a missed sphere (NaN) and of one behind
    (negative) are larger than any positive float's as unsigned numbers, so one comparison refuses all three. */
 typedef struct Hit {
 #ifdef PT_FEW
-    lanes_u key; /* the distance with the sphere's number in its low bits, so one minimum finds both: 2^-20 of the
+    lanes_u key; /* the distance with the face's number in its low bits, so one minimum finds both: 2^-20 of the
                     distance is lost, which no path notices */
 #else
     lanes_u distance_bits, number;
@@ -29,11 +29,11 @@ static inline Hit no_hit(uint background) {
     hit.key = (lanes_u)(HIT_FAR | background);
     return hit;
 }
-static inline void hit_offer(Hit* hit, lanes_f distance, uint sphere, uint distance_mask) {
-    hit->key = lanes_min_u((lanes_as_u(distance) & distance_mask) | sphere, hit->key);
+static inline void hit_offer(Hit* hit, lanes_f distance, lanes_u face, uint distance_mask) {
+    hit->key = lanes_min_u((lanes_as_u(distance) & distance_mask) | face, hit->key);
 }
 static inline lanes_f hit_distance(const Hit* hit) { return lanes_as_f(hit->key); }
-static inline lanes_u hit_sphere(const Hit* hit) { return hit->key & HIT_NUMBER; }
+static inline lanes_u hit_face(const Hit* hit) { return hit->key & HIT_NUMBER; }
 
 #else
 
@@ -43,19 +43,21 @@ static inline Hit no_hit(uint background) {
     hit.number = (lanes_u)(background);
     return hit;
 }
-static inline void hit_offer(Hit* hit, lanes_f distance, uint sphere, uint distance_mask) {
+static inline void hit_offer(Hit* hit, lanes_f distance, lanes_u face, uint distance_mask) {
     (void)distance_mask;
     const lanes_u bits = lanes_as_u(distance);
-    hit->number = lanes_select_u(hit->number, (lanes_u)(sphere), bits < hit->distance_bits);
+    hit->number = lanes_select_u(hit->number, face, bits < hit->distance_bits);
     hit->distance_bits = lanes_min_u(bits, hit->distance_bits);
 }
 static inline lanes_f hit_distance(const Hit* hit) { return lanes_as_f(hit->distance_bits); }
-static inline lanes_u hit_sphere(const Hit* hit) { return hit->number; }
+static inline lanes_u hit_face(const Hit* hit) { return hit->number; }
 
 #endif
 
-/* Two spheres a turn leave the registers to the interleaved rays of a CPU: 1.03 of one, and of all. GPUs take all. */
-#if PTB_X86
+/* Few spheres all at once: their zeros are known then. Of more, two a turn: their arithmetic fills each other's waits. */
+#ifdef PT_FEW
+#define HIT_LOOP _Pragma("unroll")
+#elif PTB_X86
 #define HIT_LOOP _Pragma("clang loop unroll_count(2)")
 #else
 #define HIT_LOOP
@@ -87,6 +89,21 @@ static inline Line line_of(const Ray* ray) {
     return line;
 }
 
+/* Coordinates of centres that are 0, a bit a sphere: walls of a box mostly have two, and products with them cost nothing. */
+#ifndef PT_ZERO_X
+#define PT_ZERO_X 0u
+#define PT_ZERO_Y 0u
+#define PT_ZERO_Z 0u
+#endif
+
+/* centre.a + more, for sphere number i. */
+static inline lanes_f dot_centre(float4 centre, uint i, Vec a, lanes_f more) {
+    if ((PT_ZERO_Z >> i & 1u) == 0u) more = centre.z * a.z + more;
+    if ((PT_ZERO_Y >> i & 1u) == 0u) more = centre.y * a.y + more;
+    if ((PT_ZERO_X >> i & 1u) == 0u) more = centre.x * a.x + more;
+    return more;
+}
+
 typedef struct Quadratic {
     lanes_f b, d; /* distance = b -+ sqrt(d) */
 } Quadratic;
@@ -94,13 +111,13 @@ typedef struct Quadratic {
 /* Of sphere number i. */
 static inline Quadratic quadratic_of(float4 centre_k, uint i, const Line* line, const Ray* ray, Hit* hit) {
     Quadratic e;
-    e.b = vec_dot_add(centre_k, line->direction, line->minus_od);
+    e.b = dot_centre(centre_k, i, line->direction, line->minus_od);
 #ifdef PT_CARRIED
     e.d = e.b * e.b + ray->gap[i];
     hit->half_linear[i] = e.b;
 #else
-    (void)i, (void)ray, (void)hit;
-    e.d = e.b * e.b + vec_dot_add(centre_k, line->twice_origin, line->minus_oo - centre_k.w);
+    (void)ray, (void)hit;
+    e.d = e.b * e.b + dot_centre(centre_k, i, line->twice_origin, line->minus_oo - centre_k.w);
 #endif
     return e;
 }
@@ -109,7 +126,7 @@ static inline void offer_opaque(Hit* hit, Scene scene, const Line* line, const R
     HIT_LOOP
     for (uint i = 0; i < scene.opaque; ++i) {
         const Quadratic e = quadratic_of(scene.spheres[i].centre_k, i, line, ray, hit);
-        hit_offer(hit, e.b - lanes_sqrt(e.d), i, scene.distance_mask);
+        hit_offer(hit, e.b - lanes_sqrt(e.d), (lanes_u)(opaque_face(scene, i)), scene.distance_mask);
     }
 }
 
@@ -117,20 +134,21 @@ static inline void offer_two_sided(Hit* hit, Scene scene, const Line* line, cons
     HIT_LOOP
     for (uint i = scene.opaque; i < scene.count; ++i) {
         const Quadratic e = quadratic_of(scene.spheres[i].centre_k, i, line, ray, hit);
-        const lanes_mask in = is_inside(inside, i - scene.opaque);
+        const lanes_u side = side_of(inside, i - scene.opaque);
+        const lanes_mask in = side != (lanes_u)(0u);
         const lanes_f root = lanes_sqrt(lanes_select(e.d, lanes_abs(e.d), in));
-        hit_offer(hit, e.b + lanes_select(-root, root, in), i, scene.distance_mask);
+        hit_offer(hit, e.b + lanes_select(-root, root, in), two_sided_face(i - scene.opaque, side), scene.distance_mask);
     }
 }
 
-/* The nearest sphere ahead of each ray. No epsilon: a path knows on which side of every sphere it is, whatever rounding
+/* The nearest face ahead of each ray. No epsilon: a path knows on which side of every sphere it is, whatever rounding
    did to the ray's origin. From outside, a sphere is met at the near root, so a ray that leaves a sphere cannot meet it
    again (the root is negative); from inside it is always met, at the far root.
    On CPUs the two-sided spheres, which take longer, come first, and others' arithmetic fills the wait for the last:
    1.05 (two Zen 3 cores, PoCL); on GPUs last, 1.014 (H100). */
 static inline Hit nearest_hit(Scene scene, const Ray* ray, const Sides* inside) {
     const Line line = line_of(ray);
-    Hit hit = no_hit(scene.count);
+    Hit hit = no_hit(background(scene));
     if (PTB_LANES > 1) offer_two_sided(&hit, scene, &line, ray, inside);
     offer_opaque(&hit, scene, &line, ray);
     if (PTB_LANES == 1) offer_two_sided(&hit, scene, &line, ray, inside);

@@ -21,49 +21,48 @@
 #endif
 
 PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_SPHERE_SPACE const PtSphere* spheres,
-                            PT_SURFACE_SPACE const PtSurface* surface_rows, Start start,
-                            PtLaunch launch COUNTED_PARAMETER) {
+                            PT_SURFACE_SPACE const PtSurface* surface_rows, __global const uint* camera_sides,
+                            __global const uint* run_starts, PtLaunch launch COUNTED_PARAMETER) {
 #ifdef PT_FEW
     const Scene scene = {spheres, PT_OPAQUE, PT_FEW, launch.distance_mask};
 #else
     const Scene scene = {spheres, launch.opaque_spheres, launch.opaque_spheres + launch.two_sided_spheres, 0u};
 #endif
+    const Surfaces surfaces = surfaces_of(surface_rows, background(scene));
+    const Start start = {(PT_SURFACE_SPACE const PtStart*)&surface_rows[background(scene) + 1u], camera_sides};
     Unit unit = no_unit();
     Path path = no_path();
     Spare spare = no_spare();
-    lanes_mask alive = take_units(&unit, lanes_all(), 0u, queue, &launch);
+    lanes_mask alive = take_units(&unit, lanes_all(), 0u, queue, run_starts, &launch);
     refill(&spare, &unit, &launch);
     start_spares(&path, &spare, alive, 0u, start, &launch);
-    const Surfaces surfaces = surfaces_of(surface_rows, scene.count);
 
     uint turn = 0u;
     while (lanes_any(alive)) {
-        lanes_u sphere;
+        lanes_u face;
         lanes_mask ends;
-        const uint stop = min(turn + PT_BATCH, LANE(path.last_turn, 0));
+        const uint stop = uint_hold(min(turn + PT_BATCH, LANE(path.last_turn, 0)));
         do {
-            Draw draw;
-            if (PT_DRAWS_EARLY) draw = hold_draw(draw_bounce(&path.random));
             const Hit hit = nearest_hit(scene, &path.ray, &path.inside);
-            if (!PT_DRAWS_EARLY) draw = draw_bounce(&path.random);
-            sphere = hit_sphere(&hit);
-            const Surface surface = surface_of(&surfaces, sphere);
-            gather_radiance(&path, &surfaces, sphere);
+            const Vec draw = draw_bounce(&path.random);
+            face = hit_face(&hit);
+            const Surface surface = surface_of(&surfaces, face);
+            gather_radiance(&path, &surfaces, face);
             path.throughput = vec_mul(path.throughput, surface.weight);
             COUNTED_SEGMENTS(counted_lanes(alive))
             COUNTED(1u, PT_STEP_WORK(scene.count))
             COUNTED_LANES(alive, PT_SEGMENT_WORK(scene.count))
-            COUNTED_LANES(alive & (surface.ior > 0.0f), PT_REFRACTION_WORK)
-            scatter(&path.ray, &path.inside, &hit, &surface, &draw);
+            COUNTED_LANES(alive & (surface.eta > 0.0f), PT_REFRACTION_WORK)
+            scatter(&path.ray, &path.inside, &hit, &surface, &draw, scene.count - scene.opaque);
             turn += 1u;
-            ends = surface.kind < 0.0f;
+            ends = surface.mirrored < 0.0f;
         } while (PT_BATCH > 1 && turn < stop && !lanes_any(ends));
         const lanes_mask full = lanes_hold(turn >= path.last_turn);
         const lanes_mask ended = lanes_meet(lanes_hold(full | ends));
         COUNTED_LANES(alive & ended, PT_PATH_WORK)
 
         if (lanes_any(ended)) {
-            Vec radiance = gathered_radiance(&path, &surfaces, sphere);
+            Vec radiance = gathered_radiance(&path, &surfaces, face);
             if (PTB_LANES == 1 || lanes_any(full | (ended & !spare.ready))) {
                 const lanes_mask lacking = MASK_OF_MANY(alive & ended & !spare.ready);
                 if (PTB_LANES > 1) add_samples(&unit, spare.radiance, !spare.ready);
@@ -75,7 +74,7 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
                 if (lanes_any(finished)) {
                     write_units(&unit, finished, turn, tallies);
                     COUNTED_LANES(alive & finished, PT_UNIT_WORK)
-                    alive &= !finished | take_units(&unit, finished, turn, queue, &launch);
+                    alive &= !finished | take_units(&unit, finished, turn, queue, run_starts, &launch);
                     }
                 refill(&spare, &unit, &launch);
             }
@@ -96,11 +95,12 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
 
 __kernel void pt_render(__global PtTally* tallies, __global uint* queues, PT_SPHERE_BUFFER const PtSphere* spheres,
                         PT_SURFACE_BUFFER const PtSurface* surfaces, __global const uint* camera_sides,
-                        const PtFewSpheres few, const PtLaunch launch COUNTED_ROWS) {
+                        __global const uint* run_starts, const PtFewSpheres few,
+                        const PtLaunch launch COUNTED_ROWS) {
     COUNTED_BEGIN
+    (void)spheres, (void)few;
 #if PT_SPHERES == PT_IN_ARGUMENT
     PT_SPHERE_SPACE const PtSphere* all = few.sphere;
-    (void)spheres;
 #elif PT_SPHERES == PT_IN_LOCAL || PT_SPHERES == PT_IN_PRIVATE
     PT_SPHERE_SPACE PtSphere all[PT_COUNT];
     for (uint i = PT_COPY_FIRST; i < PT_COUNT; i += PT_COPY_STEP) all[i] = spheres[i];
@@ -108,16 +108,15 @@ __kernel void pt_render(__global PtTally* tallies, __global uint* queues, PT_SPH
     PT_SPHERE_SPACE const PtSphere* all = spheres;
 #endif
 #if PT_SURFACES == PT_IN_LOCAL || PT_SURFACES == PT_IN_PRIVATE
-    PT_SURFACE_SPACE PtSurface rows[PT_COUNT + 1];
-    for (uint i = PT_COPY_FIRST; i <= PT_COUNT; i += PT_COPY_STEP) rows[i] = surfaces[i];
+    PT_SURFACE_SPACE PtSurface rows[PT_FACES + 2];
+    for (uint i = PT_COPY_FIRST; i < PT_FACES + 2; i += PT_COPY_STEP) rows[i] = surfaces[i];
 #else
     PT_SURFACE_SPACE const PtSurface* rows = surfaces;
 #endif
 #if PT_SPHERES == PT_IN_LOCAL || PT_SURFACES == PT_IN_LOCAL
     barrier(CLK_LOCAL_MEM_FENCE);
 #endif
-    const Start start = {camera_sides, few.camera_gap};
-    trace_units(tallies, queues + launch.slice, all, rows, start, launch COUNTED_ARGUMENT);
+    trace_units(tallies, queues + launch.slice, all, rows, camera_sides, run_starts, launch COUNTED_ARGUMENT);
     COUNTED_END
 }
 

@@ -23,37 +23,28 @@
 #ifndef PT_SURFACES
 #define PT_SURFACES PT_IN_CONSTANT
 #endif
-#ifndef PT_COUNT
+#ifdef PT_FEW
 #define PT_COUNT PT_FEW
+#define PT_FACES (2 * PT_FEW - PT_OPAQUE)
 #endif
 
-/* Address spaces: of the buffer, and of what rays read, which may be a copy of it. */
-#if PT_SPHERES == PT_IN_CONSTANT
-#define PT_SPHERE_BUFFER __constant
-#define PT_SPHERE_SPACE __constant
-#elif PT_SPHERES == PT_IN_GLOBAL
-#define PT_SPHERE_BUFFER __global
-#define PT_SPHERE_SPACE __global
-#elif PT_SPHERES == PT_IN_LOCAL
-#define PT_SPHERE_BUFFER __global
-#define PT_SPHERE_SPACE __local
-#else
-#define PT_SPHERE_BUFFER __global
-#define PT_SPHERE_SPACE __private
-#endif
-#if PT_SURFACES == PT_IN_CONSTANT
-#define PT_SURFACE_BUFFER __constant
-#define PT_SURFACE_SPACE __constant
-#elif PT_SURFACES == PT_IN_GLOBAL
-#define PT_SURFACE_BUFFER __global
-#define PT_SURFACE_SPACE __global
-#elif PT_SURFACES == PT_IN_LOCAL
-#define PT_SURFACE_BUFFER __global
-#define PT_SURFACE_SPACE __local
-#else
-#define PT_SURFACE_BUFFER __global
-#define PT_SURFACE_SPACE __private
-#endif
+/* Address spaces by number, PT_IN_...: of the buffer, and of what rays read, which may be a copy of it. */
+#define PT_BUFFER_0 __global
+#define PT_BUFFER_1 __constant
+#define PT_BUFFER_2 __global
+#define PT_BUFFER_3 __global
+#define PT_BUFFER_4 __global
+#define PT_SPACE_0 __private
+#define PT_SPACE_1 __constant
+#define PT_SPACE_2 __global
+#define PT_SPACE_3 __local
+#define PT_SPACE_4 __private
+#define PT_PASTE_(a, b) a##b
+#define PT_PASTE(a, b) PT_PASTE_(a, b)
+#define PT_SPHERE_BUFFER PT_PASTE(PT_BUFFER_, PT_SPHERES)
+#define PT_SPHERE_SPACE PT_PASTE(PT_SPACE_, PT_SPHERES)
+#define PT_SURFACE_BUFFER PT_PASTE(PT_BUFFER_, PT_SURFACES)
+#define PT_SURFACE_SPACE PT_PASTE(PT_SPACE_, PT_SURFACES)
 
 typedef struct Scene {
     PT_SPHERE_SPACE const PtSphere* spheres; /* opaque ones first, then two-sided ones */
@@ -62,35 +53,31 @@ typedef struct Scene {
     uint distance_mask; /* see pt/hit.h */
 } Scene;
 
+/* Numbers of faces, as PtSurface orders them. */
+static inline lanes_u two_sided_face(uint number, lanes_u side) { return (lanes_u)(2u * number) | side; }
+static inline uint opaque_face(Scene scene, uint sphere) { return 2u * (scene.count - scene.opaque) + sphere; }
+static inline uint background(Scene scene) { return opaque_face(scene, scene.opaque); }
+
 /* Which two-sided spheres a path is inside: a bit each, from the top. Only transmission changes it. */
 typedef struct Sides {
     lanes_u word[PT_SIDE_WORDS];
 } Sides;
 
-static inline lanes_mask is_inside(const Sides* inside, uint number) {
-    return lanes_as_i(inside->word[number / 32u] << (number % 32u)) < 0;
+/* 1 inside, else 0. */
+static inline lanes_u side_of(const Sides* inside, uint number) {
+    return (inside->word[number / 32u] >> (31u - number % 32u)) & 1u;
 }
 
-/* The same for a sphere of each lane's own, as its surface names it: by its number (PT_OPAQUE_SIDE: always outside), or
-   by its bit where one word holds all. */
+/* Passes through a sphere of each lane's own, which its surface names by its number, or by its bit where one word holds
+   all. */
 #if PT_SIDE_WORDS == 1
 
-static inline lanes_mask is_inside_own(const Sides* inside, lanes_u bit) {
-    return (inside->word[0] & bit) != (lanes_u)(0u);
-}
 static inline void change_sides(Sides* inside, lanes_u bit, lanes_mask through) {
     inside->word[0] ^= lanes_select_u((lanes_u)(0u), bit, through);
 }
 
 #else
 
-static inline lanes_mask is_inside_own(const Sides* inside, lanes_u number) {
-    lanes_u word = (lanes_u)(0u);
-    for (uint i = 0; i < PT_SIDE_WORDS; ++i) {
-        word = lanes_select_u(word, inside->word[i], (number >> 5) == (lanes_u)(i));
-    }
-    return lanes_as_i(word << (number & 31u)) < 0;
-}
 static inline void change_sides(Sides* inside, lanes_u number, lanes_mask through) {
     const lanes_u bit = (lanes_u)(0x80000000u) >> (number & 31u);
     for (uint i = 0; i < PT_SIDE_WORDS; ++i) {

@@ -1,17 +1,18 @@
-/* What a sphere is made of, looked up per lane. */
+/* What a face is made of, looked up per lane. */
 #ifndef PTB_PT_SURFACE_H
 #define PTB_PT_SURFACE_H
 
 #include "lib/table.h"
 #include "pt/hit.h"
 
+/* See PtSurface. */
 typedef struct Surface {
     Vec centre;
-    lanes_f inverse_radius;
-    Vec weight;               /* throughput factor of a bounce */
-    lanes_f ior, inverse_ior; /* NaN: no dielectric */
-    lanes_f kind;             /* 0: matte; 1: mirror or dielectric; -1: no path goes on from here */
-    lanes_u side;             /* see PtSurface */
+    lanes_f matte;
+    Vec weight;
+    lanes_f eta;
+    lanes_f mirrored, outwards, beyond;
+    lanes_u side;
 } Surface;
 
 /* How a lane reaches its own row: with few spheres the rows lie in registers, a table a field, and one permute serves all
@@ -20,27 +21,28 @@ typedef struct Surface {
 #if defined(PT_FEW) && TABLE_PERMUTES
 
 typedef struct Surfaces {
-    Table field[14];
+    Table field[15];
 } Surfaces;
 
-static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint count) {
+static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint faces) {
     Surfaces s;
     for (uint i = 0; i < TABLE_ROWS; ++i) {
-        const PtSurface row = rows[min(i, count)];
-        s.field[0].row[i] = row.centre_inverse_radius.x;
-        s.field[1].row[i] = row.centre_inverse_radius.y;
-        s.field[2].row[i] = row.centre_inverse_radius.z;
-        s.field[3].row[i] = row.centre_inverse_radius.w;
-        s.field[4].row[i] = row.weight.x;
-        s.field[5].row[i] = row.weight.y;
-        s.field[6].row[i] = row.weight.z;
-        s.field[7].row[i] = row.weight.w;
+        const PtSurface row = rows[min(i, faces)];
+        s.field[0].row[i] = row.centre_matte.x;
+        s.field[1].row[i] = row.centre_matte.y;
+        s.field[2].row[i] = row.centre_matte.z;
+        s.field[3].row[i] = row.centre_matte.w;
+        s.field[4].row[i] = row.weight_eta.x;
+        s.field[5].row[i] = row.weight_eta.y;
+        s.field[6].row[i] = row.weight_eta.z;
+        s.field[7].row[i] = row.weight_eta.w;
         s.field[8].row[i] = row.radiance.x;
         s.field[9].row[i] = row.radiance.y;
         s.field[10].row[i] = row.radiance.z;
         s.field[11].row[i] = row.traits.x;
         s.field[12].row[i] = row.traits.y;
-        s.field[13].row[i] = row.traits.w;
+        s.field[13].row[i] = row.traits.z;
+        s.field[14].row[i] = row.traits.w;
     }
     return s;
 }
@@ -52,9 +54,9 @@ typedef struct Surfaces {
     PT_SURFACE_SPACE const PtSurface* rows;
 } Surfaces;
 
-static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint count) {
+static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint faces) {
     Surfaces s;
-    (void)count;
+    (void)faces;
     s.rows = rows;
     return s;
 }
@@ -62,26 +64,27 @@ static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint 
 
 #endif
 
-static inline Surface surface_of(const Surfaces* all, lanes_u sphere) {
+static inline Surface surface_of(const Surfaces* all, lanes_u face) {
     Surface s;
-    s.centre.x = SURFACE_FIELD(all, 0, centre_inverse_radius.x, sphere);
-    s.centre.y = SURFACE_FIELD(all, 1, centre_inverse_radius.y, sphere);
-    s.centre.z = SURFACE_FIELD(all, 2, centre_inverse_radius.z, sphere);
-    s.inverse_radius = SURFACE_FIELD(all, 3, centre_inverse_radius.w, sphere);
-    s.weight.x = SURFACE_FIELD(all, 4, weight.x, sphere);
-    s.weight.y = SURFACE_FIELD(all, 5, weight.y, sphere);
-    s.weight.z = SURFACE_FIELD(all, 6, weight.z, sphere);
-    s.ior = SURFACE_FIELD(all, 7, weight.w, sphere);
-    s.kind = SURFACE_FIELD(all, 11, traits.x, sphere);
-    s.inverse_ior = SURFACE_FIELD(all, 12, traits.y, sphere);
-    s.side = lanes_as_u(SURFACE_FIELD(all, 13, traits.w, sphere));
+    s.centre.x = SURFACE_FIELD(all, 0, centre_matte.x, face);
+    s.centre.y = SURFACE_FIELD(all, 1, centre_matte.y, face);
+    s.centre.z = SURFACE_FIELD(all, 2, centre_matte.z, face);
+    s.matte = SURFACE_FIELD(all, 3, centre_matte.w, face);
+    s.weight.x = SURFACE_FIELD(all, 4, weight_eta.x, face);
+    s.weight.y = SURFACE_FIELD(all, 5, weight_eta.y, face);
+    s.weight.z = SURFACE_FIELD(all, 6, weight_eta.z, face);
+    s.eta = SURFACE_FIELD(all, 7, weight_eta.w, face);
+    s.mirrored = SURFACE_FIELD(all, 11, traits.x, face);
+    s.outwards = SURFACE_FIELD(all, 12, traits.y, face);
+    s.beyond = SURFACE_FIELD(all, 13, traits.z, face);
+    s.side = lanes_as_u(SURFACE_FIELD(all, 14, traits.w, face));
     return s;
 }
 
-/* Radiance that the sphere sends out, from both faces. */
-static inline Vec radiance_of(const Surfaces* all, lanes_u sphere) {
-    return vec(SURFACE_FIELD(all, 8, radiance.x, sphere), SURFACE_FIELD(all, 9, radiance.y, sphere),
-               SURFACE_FIELD(all, 10, radiance.z, sphere));
+/* Radiance that the face sends out. */
+static inline Vec radiance_of(const Surfaces* all, lanes_u face) {
+    return vec(SURFACE_FIELD(all, 8, radiance.x, face), SURFACE_FIELD(all, 9, radiance.y, face),
+               SURFACE_FIELD(all, 10, radiance.z, face));
 }
 
 #endif

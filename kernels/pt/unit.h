@@ -18,19 +18,19 @@ typedef struct Path {
 
 /* Adds what a path meets. Where every emitter ends the path (no PT_GLOWS) its radiance is only asked for at the end; an
    emitter that ends paths has weight 1. */
-static inline void gather_radiance(Path* path, const Surfaces* surfaces, lanes_u sphere) {
+static inline void gather_radiance(Path* path, const Surfaces* surfaces, lanes_u face) {
 #ifdef PT_GLOWS
-    path->radiance = vec_mul_add(path->radiance, path->throughput, radiance_of(surfaces, sphere));
+    path->radiance = vec_mul_add(path->radiance, path->throughput, radiance_of(surfaces, face));
 #else
-    (void)path, (void)surfaces, (void)sphere;
+    (void)path, (void)surfaces, (void)face;
 #endif
 }
-static inline Vec gathered_radiance(const Path* path, const Surfaces* surfaces, lanes_u sphere) {
+static inline Vec gathered_radiance(const Path* path, const Surfaces* surfaces, lanes_u face) {
 #ifdef PT_GLOWS
-    (void)surfaces, (void)sphere;
+    (void)surfaces, (void)face;
     return path->radiance;
 #else
-    return vec_mul(path->throughput, radiance_of(surfaces, sphere));
+    return vec_mul(path->throughput, radiance_of(surfaces, face));
 #endif
 }
 
@@ -38,7 +38,7 @@ static inline Vec gathered_radiance(const Path* path, const Surfaces* surfaces, 
 typedef struct Unit {
     lanes_u number;
     lanes_u pixel_hash;
-    lanes_f column, row; /* where it is */
+    lanes_f column, row; /* of its pixel, less 1, since random numbers begin there */
     lanes_u sample, end; /* the next one to start, and the one after the last */
     lanes_u samples;
     lanes_u taken; /* units so far */
@@ -88,7 +88,7 @@ static inline Spare no_spare(void) {
 
 /* Gives each wanting lane the next unit of the queue; returns the lanes that got one. */
 static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, uint turn, volatile __global uint* queue,
-                                    const PtLaunch* launch) {
+                                    __global const uint* run_starts, const PtLaunch* launch) {
     const lanes_mask may = wanting & (unit->taken < launch->units_per_lane);
     lanes_u number = lanes_select_u((lanes_u)(0xffffffffu), (lanes_u)(0u), may);
     for (uint lane = 0; lane < PTB_LANES; ++lane) {
@@ -99,14 +99,17 @@ static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, uint turn, v
     const lanes_u run = lanes_divide(number, launch->pixels);
     const lanes_u pixel = number - run * launch->pixels + launch->first_pixel;
     const lanes_u row = lanes_divide(pixel, launch->width);
-    const lanes_u first = (run + launch->first_run) * launch->samples_per_unit;
-    const lanes_u end = lanes_min_u(first + launch->samples_per_unit, (lanes_u)(launch->spp));
     const lanes_u none = (lanes_u)(0u);
+    lanes_u first = none, end = none;
+    for (uint lane = 0; lane < PTB_LANES; ++lane) {
+        LANE(first, lane) = run_starts[LANE(run, lane) + launch->first_run];
+        LANE(end, lane) = run_starts[LANE(run, lane) + launch->first_run + 1u];
+    }
     unit->taken += lanes_select_u(none, (lanes_u)(1u), may);
     unit->number = lanes_select_u(unit->number, number, got);
     unit->pixel_hash = lanes_select_u(unit->pixel_hash, random_of_pixel(pixel, launch->seed), got);
-    unit->column = lanes_select(unit->column, lanes_to_f(pixel - row * launch->width), got);
-    unit->row = lanes_select(unit->row, lanes_to_f(row), got);
+    unit->column = lanes_select(unit->column, lanes_to_f(pixel - row * launch->width) - 1.0f, got);
+    unit->row = lanes_select(unit->row, lanes_to_f(row) - 1.0f, got);
     unit->sample = lanes_select_u(unit->sample, first, got);
     unit->end = lanes_select_u(unit->end, end, got);
     unit->samples = lanes_select_u(unit->samples, end - first, got);
@@ -140,30 +143,30 @@ static inline void write_units(const Unit* unit, lanes_mask finished, uint turn,
     }
 }
 
-/* Where in its pixel a sample lies, in pixels from its corner; u and v are uniform in [1, 2). */
+/* Where in its pixel a sample lies, in pixels from its corner, plus 1; u and v are uniform in [1, 2). */
 static inline void place_sample(lanes_u sample, lanes_f u, lanes_f v, const PtLaunch* launch, lanes_f* x, lanes_f* y) {
 #if defined(PT_FILTER) && PT_FILTER == PT_CENTRE
     (void)sample, (void)u, (void)v, (void)launch;
-    *x = *y = (lanes_f)(0.5f);
+    *x = *y = (lanes_f)(1.5f);
 #elif defined(PT_FILTER) && PT_FILTER == PT_STRATIFIED
     const lanes_u row = lanes_divide(sample, launch->strata_columns);
     const lanes_u column = sample - row * launch->strata_columns;
-    *x = (lanes_to_f(column) + (u - 1.0f)) * launch->stratum_width;
-    *y = (lanes_to_f(row) + (v - 1.0f)) * launch->stratum_height;
+    *x = (lanes_to_f(column) + (u - 1.0f)) * launch->stratum_width + 1.0f;
+    *y = (lanes_to_f(row) + (v - 1.0f)) * launch->stratum_height + 1.0f;
 #else
     (void)sample, (void)launch;
-    *x = u - 1.0f;
-    *y = v - 1.0f;
+    *x = u;
+    *y = v;
 #endif
 }
 
 /* Gives every lane without a spare one, while its unit has samples to start: a camera ray through a point of its pixel. */
 static inline void refill(Spare* spare, Unit* unit, const PtLaunch* launch) {
     Random random = random_of_path(unit->pixel_hash, unit->sample);
-    lanes_f u, v;
+    lanes_u u, v;
     random_next_two(&random, &u, &v);
     lanes_f x, y;
-    place_sample(unit->sample, u, v, launch, &x, &y);
+    place_sample(unit->sample, random_1_2(u), random_1_2(v), launch, &x, &y);
     const Vec across = vec_add_scaled(vec_of(launch->camera.corner), vec_of(launch->camera.step_x), unit->column + x);
     const Vec direction = vec_normalize(vec_add_scaled(across, vec_of(launch->camera.step_y), unit->row + y));
     const lanes_mask wanting = MASK_OF_MANY(!spare->ready & (unit->sample < unit->end));
@@ -173,16 +176,16 @@ static inline void refill(Spare* spare, Unit* unit, const PtLaunch* launch) {
     spare->ready = lanes_hold(spare->ready | wanting);
 }
 
-/* What all paths start with, beside the camera. */
+/* What all paths start with. */
 typedef struct Start {
-    __global const uint* camera_sides;
-    __private const float* camera_gap;
+    PT_SURFACE_SPACE const PtStart* row;
+    __global const uint* sides; /* all words */
 } Start;
 
 /* Ends these paths and starts the lanes' spares in their place. */
 static inline void start_spares(Path* path, Spare* spare, lanes_mask ended, uint turn,
                                 Start start, const PtLaunch* launch) {
-    path->ray.origin = vec_select(path->ray.origin, vec_of(launch->camera.position), ended);
+    path->ray.origin = vec_select(path->ray.origin, vec_of(start.row->position_side), ended);
     path->ray.direction = vec_select(path->ray.direction, spare->direction, ended);
     path->throughput = vec_select(path->throughput, vec_of((float4)(1.0f)), ended);
 #ifdef PT_GLOWS
@@ -190,13 +193,15 @@ static inline void start_spares(Path* path, Spare* spare, lanes_mask ended, uint
 #endif
     path->random = random_select(path->random, spare->random, ended);
     path->last_turn = lanes_select_u(path->last_turn, (lanes_u)(turn + launch->path_length), ended);
-    path->inside.word[0] = lanes_select_u(path->inside.word[0], (lanes_u)(launch->camera_side), ended);
+    path->inside.word[0] = lanes_select_u(path->inside.word[0], (lanes_u)(as_uint(start.row->position_side.w)), ended);
     for (uint i = 1; i < PT_SIDE_WORDS; ++i) {
-        path->inside.word[i] = lanes_select_u(path->inside.word[i], (lanes_u)(start.camera_sides[i]), ended);
+        path->inside.word[i] = lanes_select_u(path->inside.word[i], (lanes_u)(start.sides[i]), ended);
     }
 #ifdef PT_CARRIED
     for (uint i = 0; i < PT_FEW; ++i) {
-        path->ray.gap[i] = lanes_select(path->ray.gap[i], (lanes_f)(start.camera_gap[i]), ended);
+        const float4 gaps = start.row->gap[i / 4u];
+        const float gap = i % 4u == 0u ? gaps.x : i % 4u == 1u ? gaps.y : i % 4u == 2u ? gaps.z : gaps.w;
+        path->ray.gap[i] = lanes_select(path->ray.gap[i], (lanes_f)(gap), ended);
     }
 #endif
     spare->ready = lanes_hold(spare->ready & !ended);

@@ -24,20 +24,24 @@
 
 /* lib/sphere_direction.h: z and the circle's radius there, sine and cosine. */
 #if PTB_PTX
-#define PT_SPHERE_FLOPS (4u + 3u)
+#define PT_SPHERE_FLOPS (3u + 3u)
 #define PT_SPHERE_ROOTS (1u + 2u)
 #else
-#define PT_SPHERE_FLOPS (4u + 22u)
+#define PT_SPHERE_FLOPS (3u + 22u)
 #define PT_SPHERE_ROOTS 1u
 #endif
 
-/* pt/hit.h: what a ray prepares; what a sphere costs, the move to the hit included where it carries gaps. */
+/* pt/hit.h: what a ray prepares; what a sphere costs, the move to the hit included where it carries gaps; what the zeros
+   of centres save. */
+#define PT_ZEROS (popcount(PT_ZERO_X) + popcount(PT_ZERO_Y) + popcount(PT_ZERO_Z))
 #ifdef PT_CARRIED
 #define PT_LINE_FLOPS 5u
 #define PT_TEST_FLOPS (6u + 2u + 1u + 4u)
+#define PT_SAVED_FLOPS (2u * PT_ZEROS)
 #else
 #define PT_LINE_FLOPS 13u
 #define PT_TEST_FLOPS (6u + 9u + 1u)
+#define PT_SAVED_FLOPS (4u * PT_ZEROS)
 #endif
 
 #ifdef PT_GLOWS
@@ -48,16 +52,16 @@
 #define PT_END_FLOPS 3u
 #endif
 
-/* pt/scatter.h but for refraction: the move, from the centre, the cosine, the normal's share and the sum. */
-#define PT_SCATTER_FLOPS (6u + 3u + 6u + 2u + 6u)
+/* pt/scatter.h but for refraction: the move, from the centre, along, the normal's share and the sum. */
+#define PT_SCATTER_FLOPS (6u + 3u + 5u + 2u + 6u)
 
 /* Where in its pixel a sample lies, and in the image. */
 #if defined(PT_FILTER) && PT_FILTER == PT_CENTRE
 #define PT_PLACE_FLOPS 2u
 #elif defined(PT_FILTER) && PT_FILTER == PT_STRATIFIED
-#define PT_PLACE_FLOPS 8u
+#define PT_PLACE_FLOPS 10u
 #else
-#define PT_PLACE_FLOPS 4u
+#define PT_PLACE_FLOPS 2u
 #endif
 
 /* Bytes that rays read of global memory. Copies of the scene, made once a work-group or work-item, are not counted. */
@@ -66,13 +70,13 @@
 
 /* A segment, throughput too, and the numbers of its surface. */
 #define PT_SEGMENT_WORK(spheres)                                                                             \
-    (PT_LINE_FLOPS + (spheres) * PT_TEST_FLOPS + PT_GATHER_FLOPS + 3u + PT_SCATTER_FLOPS + PT_SPHERE_FLOPS + \
-     PT_NORMALIZE_FLOPS),                                                                                    \
-        ((spheres) + PT_SPHERE_ROOTS + PT_RSQRT_ROOTS), PT_RSQRT_DIVISIONS, PT_SURFACE_BYTES(44u)
+    (PT_LINE_FLOPS + (spheres) * PT_TEST_FLOPS - PT_SAVED_FLOPS + PT_GATHER_FLOPS + 3u + PT_SCATTER_FLOPS +  \
+     PT_SPHERE_FLOPS + PT_NORMALIZE_FLOPS),                                                                  \
+        ((spheres) + PT_SPHERE_ROOTS + PT_RSQRT_ROOTS), PT_RSQRT_DIVISIONS, PT_SURFACE_BYTES(48u)
 /* The spheres, which all lanes of a work-item share. */
 #define PT_STEP_WORK(spheres) 0u, 0u, 0u, (spheres) * PT_SPHERE_BYTES
 /* At a dielectric. */
-#define PT_REFRACTION_WORK 17u, 1u, 0u, 0u
+#define PT_REFRACTION_WORK 16u, 1u, 0u, 0u
 /* A path: its radiance and square added, and the next one's camera ray. */
 #define PT_PATH_WORK \
     (PT_END_FLOPS + 9u + PT_PLACE_FLOPS + 12u + PT_NORMALIZE_FLOPS), PT_RSQRT_ROOTS, PT_RSQRT_DIVISIONS, \

@@ -24,7 +24,7 @@ check() { # FILE OPTIONS...
     fi
 }
 
-few=(-DPT_FEW=9 -DPT_OPAQUE=8)
+few=(-DPT_FEW=9 -DPT_OPAQUE=8 -DPT_ZERO_X=0x3c -DPT_ZERO_Y=0x13 -DPT_ZERO_Z=0xf)
 while IFS= read -r kernel; do
     for lanes in 1 4 8 16 32; do
         if [[ $lanes -eq 32 && $kernel == */peaks.cl ]]; then continue; fi # it needs built-ins, which end at 16
@@ -34,7 +34,7 @@ while IFS= read -r kernel; do
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_PORTABLE
         check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3 -DPT_SPHERES=2 -DPT_SURFACES=2 -DPT_FILTER=1
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_STRICT -DPT_SPHERES=4 -DPT_SURFACES=4 -DPTB_PARK_MILLER
-        check "$kernel" "${portable[@]}" -DPT_SPHERES=3 -DPT_SURFACES=3 -DPT_COUNT=40 -DPT_FILTER=2
+        check "$kernel" "${portable[@]}" -DPT_SPHERES=3 -DPT_SURFACES=3 -DPT_COUNT=40 -DPT_FACES=45 -DPT_FILTER=2
         # With these the tables become register permutes.
         for machine in '-mavx512f -mavx512vl' '-mavx2 -mfma'; do
             # shellcheck disable=SC2086 # two words

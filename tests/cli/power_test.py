@@ -11,8 +11,8 @@ VALIDATE = (*changed(TINY, path_length=128), "-d", "pocl:0", "--skip-time")
 WRONG = (
     ("albedo x 0.98", "pt/pt.cl", "vec_mul(path.throughput, surface.weight)",
      "vec_mul(path.throughput, vec_scale(surface.weight, (lanes_f)(0.98f)))", "standard errors"),
-    ("1 % of paths cut", "pt/pt.cl", "ends = surface.kind < 0.0f;",
-     "ends = (surface.kind < 0.0f) | (((unit.pixel_hash + unit.sample * 9973u) % 100u == 0u) & (turn + launch.path_length -"
+    ("1 % of paths cut", "pt/pt.cl", "ends = surface.mirrored < 0.0f;",
+     "ends = (surface.mirrored < 0.0f) | (((unit.pixel_hash + unit.sample * 9973u) % 100u == 0u) & (turn + launch.path_length -"
      " path.last_turn > (unit.pixel_hash * 7919u + unit.sample * 104729u) % launch.path_length));", "segments a sample"),
     ("pixel grid shifted by one", "pt/unit.h", "(pixel - row * launch->width)",
      "(pixel - row * launch->width + 1u)", "block at column"),
@@ -21,8 +21,8 @@ WRONG = (
     ("a sample too many counted", "pt/unit.h", "tally.samples = LANE(unit->samples, lane)",
      "tally.samples = LANE(unit->samples, lane) + (LANE(unit->number, lane) == 77u ? 1u : 0u)", "samples counted"),
     ("a sample too few rendered", "pt/unit.h",
-     "lanes_min_u(first + launch->samples_per_unit, (lanes_u)(launch->spp))",
-     "lanes_min_u(first + launch->samples_per_unit, (lanes_u)(launch->spp)) - 1u",
+     "LANE(end, lane) = run_starts[LANE(run, lane) + launch->first_run + 1u];",
+     "LANE(end, lane) = run_starts[LANE(run, lane) + launch->first_run + 1u] - 1u;",
      "samples counted"),
     ("NaN in one pixel", "pt/pt.cl", "    film[launch.first_pixel + pixel] =\n",
      "    if (launch.first_pixel + pixel == 4321u) film[launch.first_pixel + pixel].radiance.x = NAN;\n"

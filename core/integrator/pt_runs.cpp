@@ -1,0 +1,31 @@
+#include "core/integrator/pt_runs.h"
+
+#include <algorithm>
+
+namespace ptb {
+
+std::uint32_t PtRuns::longest() const {
+    std::uint32_t most = 0;
+    for (std::uint32_t run = 0; run < count(); ++run) most = std::max(most, length(run));
+    return most;
+}
+
+bool PtRuns::ends_round(std::uint32_t run) const {
+    return run + 1 == count() || length(run + 1) > length(run);
+}
+
+PtRuns make_pt_runs(std::uint32_t spp, std::uint64_t fair, std::uint64_t most) {
+    const std::uint64_t round = std::clamp<std::uint64_t>(fair > 1 ? 4 * fair : 1, 1, most);
+    const std::uint64_t rounds = (spp + round - 1) / round;
+    PtRuns runs{{0}};
+    for (std::uint64_t i = 0; i < rounds; ++i) {
+        const std::uint64_t first = spp * i / rounds, samples = spp * (i + 1) / rounds - first;
+        for (const std::uint64_t percent : {75, 95, 100}) {
+            const auto end = static_cast<std::uint32_t>(first + samples * percent / 100);
+            if (end > runs.starts.back()) runs.starts.push_back(end);
+        }
+    }
+    return runs;
+}
+
+}  // namespace ptb

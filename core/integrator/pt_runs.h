@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace ptb {
+
+/// A pixel's samples cut into runs, `pt`'s units of work. They come in rounds of ever shorter ones: few units
+/// cost little, and those at the end of a launch have to be short, or most lanes wait for the last ones.
+struct PtRuns {
+    std::vector<std::uint32_t> starts;  ///< first sample of every run, and the end of the last one
+
+    std::uint32_t count() const { return static_cast<std::uint32_t>(starts.size() - 1); }
+    std::uint32_t length(std::uint32_t run) const { return starts[run + 1] - starts[run]; }
+    std::uint32_t longest() const;
+    /// Whether the next run is longer, or there is none.
+    bool ends_round(std::uint32_t run) const;
+};
+
+/// @param fair  samples of a unit that keep all lanes busy to the end, at least 1
+/// @param most  samples of the longest round
+PtRuns make_pt_runs(std::uint32_t spp, std::uint64_t fair, std::uint64_t most);
+
+}  // namespace ptb

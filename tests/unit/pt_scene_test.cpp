@@ -1,0 +1,107 @@
+#include "core/integrator/pt_scene.h"
+
+#include <bit>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/integrator/pt_runs.h"
+
+using namespace ptb;
+
+namespace {
+
+Material material(MaterialType type) {
+    Material result;
+    result.type = type;
+    result.albedo = result.reflectance = {0.5, 0.25, 0.125};
+    result.ior = 1.5;
+    result.scatters = true;
+    return result;
+}
+
+/// A matte sphere before the camera, a glass one around it, and a mirror.
+Scene three_spheres() {
+    Scene scene;
+    scene.camera.position = {0, 0, -4};
+    scene.camera.look_at = {0, 0, 0};
+    scene.materials = {material(MaterialType::matte), material(MaterialType::dielectric),
+                       material(MaterialType::mirror)};
+    scene.spheres = {{{0, 3, 0}, 2, 0}, {{1, 0, 0}, 8, 1}, {{-3, 0, 5}, 4, 2}};
+    return scene;
+}
+
+TEST(PtScene, has_both_faces_of_what_a_path_can_be_in_then_the_others) {
+    const PtScene scene = make_pt_scene(three_spheres());
+    EXPECT_EQ(scene.opaque, 2u);
+    EXPECT_EQ(scene.two_sided, 1u);
+    ASSERT_EQ(scene.faces(), 4u);
+    EXPECT_EQ(scene.spheres[2].centre_k.x, 1.0f) << "two-sided spheres are the last";
+    const PtSurface& outer = scene.surfaces[0];
+    const PtSurface& inner = scene.surfaces[1];
+    EXPECT_FLOAT_EQ(outer.traits.y, 1.0f / 8);
+    EXPECT_FLOAT_EQ(inner.traits.y, -1.0f / 8);
+    EXPECT_FLOAT_EQ(outer.weight_eta.w, 1 / 1.5f);
+    EXPECT_FLOAT_EQ(inner.weight_eta.w, 1.5f);
+    EXPECT_FLOAT_EQ(outer.traits.z, 1.5f / 8) << "outwards / eta";
+    EXPECT_FLOAT_EQ(inner.traits.z, -1 / 1.5f / 8);
+    EXPECT_FLOAT_EQ(outer.traits.x, 2.0f / 64) << "2 / radius^2";
+    EXPECT_EQ(outer.centre_matte.w, 0.0f);
+}
+
+TEST(PtScene, tells_matte_from_mirror_and_both_from_what_ends_a_path) {
+    const PtScene scene = make_pt_scene(three_spheres());
+    const PtSurface& matte = scene.surfaces[2];
+    EXPECT_FLOAT_EQ(matte.centre_matte.w, 1.0f / 2);
+    EXPECT_EQ(matte.traits.x, 0.0f);
+    EXPECT_TRUE(std::isnan(matte.weight_eta.w));
+    const PtSurface& mirror = scene.surfaces[3];
+    EXPECT_EQ(mirror.centre_matte.w, 0.0f);
+    EXPECT_FLOAT_EQ(mirror.traits.x, 2.0f / 16);
+    const PtSurface& background = scene.surfaces[4];
+    EXPECT_LT(background.traits.x, 0.0f);
+}
+
+TEST(PtScene, knows_the_zeros_of_centres_and_what_paths_start_with) {
+    const PtScene scene = make_pt_scene(three_spheres());
+    EXPECT_EQ(scene.zeros[0], 0b001u);
+    EXPECT_EQ(scene.zeros[1], 0b110u);
+    EXPECT_EQ(scene.zeros[2], 0b101u);
+    EXPECT_EQ(scene.camera_sides.front(), 0x80000000u) << "inside the glass";
+    const auto start = std::bit_cast<PtStart>(scene.surfaces.back());
+    EXPECT_EQ(start.position_side.z, -4.0f);
+    EXPECT_EQ(std::bit_cast<std::uint32_t>(start.position_side.w), scene.camera_sides.front());
+    EXPECT_FLOAT_EQ(start.gap[0].x, 4 - (9 + 16)) << "radius^2 - |camera - centre|^2";
+}
+
+TEST(PtScene, counts_faces_where_spheres_are_few) {
+    Scene scene = three_spheres();
+    while (scene.spheres.size() < PT_FEW_MOST - 1) scene.spheres.push_back(scene.spheres[0]);
+    EXPECT_TRUE(make_pt_scene(scene).is_few()) << "15 faces of 14 spheres";
+    scene.spheres.push_back(scene.spheres[0]);
+    EXPECT_FALSE(make_pt_scene(scene).is_few());
+}
+
+TEST(PtRuns, cover_all_samples_in_rounds_of_ever_shorter_runs) {
+    const PtRuns runs = make_pt_runs(1000, 100, 256);
+    EXPECT_EQ(runs.starts.front(), 0u);
+    EXPECT_EQ(runs.starts.back(), 1000u);
+    ASSERT_EQ(runs.count(), 12u) << "four rounds of three";
+    EXPECT_EQ(runs.longest(), runs.length(0));
+    for (std::uint32_t run = 0; run < runs.count(); ++run) {
+        EXPECT_GT(runs.length(run), 0u);
+        EXPECT_EQ(runs.ends_round(run), run % 3 == 2);
+    }
+    EXPECT_LT(runs.length(2), runs.length(1));
+    EXPECT_LT(runs.length(1), runs.length(0));
+}
+
+TEST(PtRuns, are_single_samples_where_lanes_are_many_and_never_longer_than_a_device_allows) {
+    EXPECT_EQ(make_pt_runs(7, 1, 256).count(), 7u);
+    EXPECT_EQ(make_pt_runs(1, 1000, 256).count(), 1u);
+    EXPECT_EQ(make_pt_runs(1000, 1000, 3).longest(), 2u);
+    const PtRuns few = make_pt_runs(5, 1000, 512);
+    EXPECT_EQ(few.starts, (std::vector<std::uint32_t>{0, 3, 4, 5}));
+}
+
+}  // namespace
