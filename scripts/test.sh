@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # From a fresh clone to the tests' verdict: installs what is missing, builds everything, runs ctest.
-#   scripts/test.sh                  every test, and the unit and cli tests again under sanitizers
+#   scripts/test.sh                  every test; unit and most of cli under sanitizers
 #   scripts/test.sh [ctest options]  what the options choose: -L unit, -R layout, ...
 # The last lines are ctest's summary; the exit code is ctest's.
 set -euo pipefail
@@ -26,6 +26,6 @@ fi
 quietly cmake --preset release -DPTBENCH_TESTS=ON -DPTBENCH_MICRO=ON "-DPTBENCH_SANITIZED_TREE=$sanitized" \
     "${options[@]}" ${strict[@]+"${strict[@]}"}
 cmake --build build/release
-if [ -n "$sanitized" ]; then cmake --build build/asan --target unit_tests fake_worker ptbench ptbench_manuals; fi
+if [ -n "$sanitized" ]; then cmake --build build/asan --target unit_tests ptbench; fi
 
 exec ctest --test-dir build/release --output-on-failure --parallel "$(nproc)" "$@"

@@ -33,11 +33,11 @@ std::string page_of(const std::vector<StoredRun>& runs, const PublishedTable& pu
 
 using Parts = std::vector<fs::path>;
 
-/// How many parts all have in common from where `begin` says on.
-template <class Begin>
-std::size_t common(const std::vector<Parts>& all, std::size_t most, Begin begin) {
+/// How many parts all have in common, counted as `part` counts.
+template <class Part>
+std::size_t common(const std::vector<Parts>& all, std::size_t most, Part part) {
     std::size_t n = 0;
-    const auto same = [&](const Parts& parts) { return begin(parts)[n] == begin(all.front())[n]; };
+    const auto same = [&](const Parts& parts) { return part(parts, n) == part(all.front(), n); };
     while (n < most && std::all_of(all.begin(), all.end(), same)) ++n;
     return n;
 }
@@ -61,8 +61,10 @@ std::vector<std::string> names_of(const std::vector<fs::path>& files) {
     }
     std::vector<std::string> names(files.size());
     if (files.size() < 2) return names;
-    const auto front = common(all, fewest, [](const Parts& parts) { return parts.begin(); });
-    const auto back = common(all, fewest - front, [](const Parts& parts) { return parts.rbegin(); });
+    const auto from_front = [](const Parts& parts, std::size_t n) { return parts[n]; };
+    const auto from_back = [](const Parts& parts, std::size_t n) { return parts[parts.size() - 1 - n]; };
+    const auto front = common(all, fewest, from_front);
+    const auto back = common(all, fewest - front, from_back);
     for (std::size_t i = 0; i < files.size(); ++i) {
         fs::path kept;
         for (std::size_t j = front; j + back < all[i].size(); ++j) kept /= all[i][j];

@@ -31,7 +31,7 @@ std::string bash_values(const CommandText& command, const std::string& name) {
     for (const OptionText& option : command.options) {
         if (option.choices.empty() && !option.is_folder) continue;
         std::vector<std::string> patterns;
-        for (const auto& flag : option.flags) patterns.push_back(name + ":" + flag);
+        for (const auto& flag : option.flags) patterns.push_back(fmt::format("{}:{}", name, flag));
         const std::string words =
             option.is_folder ? std::string("-d") : fmt::format("-W '{}'", fmt::join(option.choices, " "));
         text += fmt::format("        {}) mapfile -t COMPREPLY < <(compgen {} -- \"$word\"); return ;;\n",

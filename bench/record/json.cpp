@@ -116,6 +116,17 @@ void decode(const Json& json, const Where& where, Status& status) {
     status = *parsed;
 }
 
+template Json encode(const DeviceInfo& value);
+template Json encode(const DevicePeaks& value);
+template Json encode(const Record& value);
+template Json encode(const ResultFile& value);
+template Json encode(const RunInfo& value);
+template void decode(const Json& json, const Where& where, DeviceInfo& value);
+template void decode(const Json& json, const Where& where, DevicePeaks& value);
+template void decode(const Json& json, const Where& where, Record& value);
+template void decode(const Json& json, const Where& where, ResultFile& value);
+template void decode(const Json& json, const Where& where, RunInfo& value);
+
 Json result_to_json(const ResultFile& result) {
     Json json = Json::object();
     json["schema"] = schema;

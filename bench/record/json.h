@@ -178,6 +178,18 @@ void decode(const Json& json, const Where& where, JsonText& text);
 Json encode(Status status);
 void decode(const Json& json, const Where& where, Status& status);
 
+// The large ones are compiled once, in json.cpp.
+extern template Json encode(const DeviceInfo& value);
+extern template Json encode(const DevicePeaks& value);
+extern template Json encode(const Record& value);
+extern template Json encode(const ResultFile& value);
+extern template Json encode(const RunInfo& value);
+extern template void decode(const Json& json, const Where& where, DeviceInfo& value);
+extern template void decode(const Json& json, const Where& where, DevicePeaks& value);
+extern template void decode(const Json& json, const Where& where, Record& value);
+extern template void decode(const Json& json, const Where& where, ResultFile& value);
+extern template void decode(const Json& json, const Where& where, RunInfo& value);
+
 /// The result file's sections behind its "schema".
 Json result_to_json(const ResultFile& result);
 /// Throws UsageError on anything but a result file of a version that is known.

@@ -49,9 +49,10 @@ Shape shape_of(const ocl::Device& device, const Scene& scene, const RenderJob& j
 void stratify(PtLaunch& launch, std::uint32_t spp) {
     auto columns = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(spp)));
     while (spp % columns != 0) --columns;
+    const std::uint32_t rows = spp / columns;
     launch.strata_columns = columns;
     launch.stratum_width = 1.0f / static_cast<float>(columns);
-    launch.stratum_height = 1.0f / static_cast<float>(spp / columns);
+    launch.stratum_height = 1.0f / static_cast<float>(rows);
 }
 
 class PtRender : public Render {

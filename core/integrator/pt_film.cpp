@@ -81,7 +81,8 @@ class ImageFilm : public PtFilm {
     static ptb_float4 as_floats(const Texel& texel) { return std::bit_cast<ptb_float4>(texel); }
     std::vector<Texel> layer(const cl::CommandQueue& queue, int number, int first_row, int rows) const {
         std::vector<Texel> texels(Size{size_.width, rows}.pixels());
-        const auto row = static_cast<std::size_t>(number * size_.height + first_row);
+        const auto row = static_cast<std::size_t>(number) * static_cast<std::size_t>(size_.height) +
+                         static_cast<std::size_t>(first_row);
         queue.enqueueReadImage(images_[0], CL_TRUE, {0, row, 0}, {width(), static_cast<std::size_t>(rows), 1},
                                0, 0, texels.data());
         return texels;

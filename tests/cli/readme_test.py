@@ -38,6 +38,8 @@ class Readme(CliTest):
             words.append("--no-aa")
         elif not any(part in line for part in SHORT):
             words.append("--dry-run")
+        elif words[0].startswith("-") and "--dump-config" not in words:
+            words += ["--samples", "3"]
         result = self.run_ok(*words, POCL_DEVICES="pthread")
         if redirected:
             self.scratch.write(redirected[2], result.stdout)

@@ -49,7 +49,7 @@ TEST(exit_code, of_every_set_of_reasons_is_that_of_the_first_in_rank) {
 TEST(exit_code, is_never_a_count) {
     const std::vector<std::pair<Status, int>> table{{Status::crash, 1}, {Status::invalid, 4}};
     for (const auto& [status, code] : table)
-        for (const std::size_t n : {2, 255, 256, 257, 512})
+        for (const std::size_t n : {2u, 255u, 256u, 257u, 512u})
             EXPECT_EQ(exit_code(outcome_of(records(std::vector(n, status)))), code) << n;
 }
 

@@ -13,7 +13,7 @@
 #include "bench/report/table.h"
 
 /// LeakSanitizer asks for it: the C library keeps the folders of LOCPATH for ever.
-extern "C" const char* __lsan_default_suppressions() { return "leak:__argz_add_sep\n"; }
+extern "C" const char* __lsan_default_suppressions() { return "leak:argz_add_sep\n"; }
 
 namespace ptb {
 namespace {
