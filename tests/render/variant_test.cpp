@@ -154,11 +154,11 @@ TEST(Variants, what_means_nothing_is_refused_with_the_reason) {
                   "dispatch tasks: a task is one work-item, so work_group has to be implicit");
         EXPECT_EQ(refusal_of(device, "pt", mixed_balls(40),
                              [](auto& j) { j.variant.scene_memory = SceneMemory::argument; }),
-                  "scene_memory argument: pt takes at most 15 faces so, these 40 spheres have 40");
+                  "scene_memory argument: pt takes at most 15 faces so, these 40 spheres have 49");
         EXPECT_THAT(
             refusal_of(device, "pt", mixed_balls(100'000),
                        [](auto& j) { j.variant.scene_memory = SceneMemory::local; }),
-            testing::StartsWith("scene_memory local: 100000 spheres take 9600080 bytes, this device has "));
+            testing::StartsWith("scene_memory local: 100000 spheres take 11200240 bytes, this device has "));
         EXPECT_EQ(refusal_of(device, "pt", scene, [](auto&) {}), "");
     });
 }
