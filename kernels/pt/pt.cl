@@ -34,6 +34,7 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
     Path path = no_path();
     Spare spare = no_spare();
     lanes_mask alive = take_units(&unit, lanes_all(), 0u, queue, run_starts, &launch);
+    COUNTED_LANES(lanes_all(), PT_TAKE_WORK)
     refill(&spare, &unit, &launch);
     start_spares(&path, &spare, alive, 0u, start, &launch);
 
@@ -52,7 +53,7 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
             COUNTED_SEGMENTS(counted_lanes(alive))
             COUNTED(1u, PT_STEP_WORK(scene.count))
             COUNTED_LANES(alive, PT_SEGMENT_WORK(scene.count))
-            COUNTED_LANES(alive & (surface.eta > 0.0f), PT_REFRACTION_WORK)
+            COUNTED(scene.count > scene.opaque ? counted_lanes(alive) : 0u, PT_REFRACTION_WORK)
             scatter(&path.ray, &path.inside, &hit, &surface, &draw, scene.count - scene.opaque);
             turn += 1u;
             ends = surface.mirrored < 0.0f;
@@ -74,6 +75,7 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
                 if (lanes_any(finished)) {
                     write_units(&unit, finished, turn, tallies);
                     COUNTED_LANES(alive & finished, PT_UNIT_WORK)
+                    COUNTED_LANES(alive & finished, PT_TAKE_WORK)
                     alive &= !finished | take_units(&unit, finished, turn, queue, run_starts, &launch);
                     }
                 refill(&spare, &unit, &launch);

@@ -75,12 +75,14 @@
         ((spheres) + PT_SPHERE_ROOTS + PT_RSQRT_ROOTS), PT_RSQRT_DIVISIONS, PT_SURFACE_BYTES(48u)
 /* The spheres, which all lanes of a work-item share. */
 #define PT_STEP_WORK(spheres) 0u, 0u, 0u, (spheres) * PT_SPHERE_BYTES
-/* At a dielectric. */
+/* Refraction, which every ray works out in scenes with two-sided spheres. */
 #define PT_REFRACTION_WORK 16u, 1u, 0u, 0u
 /* A path: its radiance and square added, and the next one's camera ray. */
 #define PT_PATH_WORK \
     (PT_END_FLOPS + 9u + PT_PLACE_FLOPS + 12u + PT_NORMALIZE_FLOPS), PT_RSQRT_ROOTS, PT_RSQRT_DIVISIONS, \
         PT_SURFACE_BYTES(12u)
+/* A look for a unit, of use or not: its place, and its run. */
+#define PT_TAKE_WORK 2u, 0u, 0u, 2u * (uint)sizeof(uint)
 /* A unit: its tally. */
 #define PT_UNIT_WORK 0u, 0u, 0u, (uint)sizeof(PtTally)
 /* A tally added to a pixel, of colours of so many numbers (1 counts vectors' instructions), and a pixel of the film. */

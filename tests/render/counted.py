@@ -19,7 +19,7 @@ DIVISIONS = {"fdiv": 1, "call _Z9normalizeDv4_f()": 1}
 # Copies of materials and tallies are calls. The queue's atomic counter is not counted.
 BYTES = {"load global": r"\((\d+) bytes\)", "store global": r"\((\d+) bytes\)"}
 COPIED_BYTES = {"call llvm.memcpy.p0i8.p1i8.i64()": 48, "call llvm.memcpy.p1i8.p0i8.i64()": 48}
-CAMERA_RAY = {"flops": 24, "roots": 1, "divisions": 1, "bytes": 0}
+CAMERA_RAY = {"flops": 22, "roots": 1, "divisions": 1, "bytes": 0}
 
 
 def rendered(render_once, kernel, scene, *options):
