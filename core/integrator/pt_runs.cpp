@@ -20,7 +20,7 @@ PtRuns make_pt_runs(std::uint32_t spp, std::uint64_t fair, std::uint64_t most) {
     PtRuns runs{{0}};
     for (std::uint64_t i = 0; i < rounds; ++i) {
         const std::uint64_t first = spp * i / rounds, samples = spp * (i + 1) / rounds - first;
-        for (const std::uint64_t percent : {75, 95, 100}) {
+        for (const std::uint64_t percent : {75u, 95u, 100u}) {
             const auto end = static_cast<std::uint32_t>(first + samples * percent / 100);
             if (end > runs.starts.back()) runs.starts.push_back(end);
         }
