@@ -1,6 +1,5 @@
 #include "bench/record/json.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,13 +15,6 @@ constexpr const char* tune = "tune";
 constexpr std::pair<const char*, bool Case::*> origins[] = {{"lanes_from", &Case::lanes_tuned},
                                                             {"work_group_from", &Case::work_group_tuned}};
 constexpr const char* integer_axes[] = {"spp", "path_length"};
-
-/// Axes that files of earlier versions lack: their value is the default.
-bool is_optional_axis(const std::string& axis) {
-    const auto& choices = variant_axes();
-    return std::any_of(choices.begin(), choices.end(),
-                       [&](const VariantAxis& each) { return each.name == axis; });
-}
 
 bool is_integer_axis(const std::string& axis) {
     for (const char* name : integer_axes)
@@ -83,7 +75,8 @@ void decode(const Json& json, const Where& where, Case& c) {
     if (!json.is_object()) where.refuse(json, "an object");
     decode(member(json, where, "device"), Where(where, "device"), c.device);
     for (const auto& axis : axis_names()) {
-        if (is_optional_axis(axis) && !json.contains(axis)) continue;
+        // Files of earlier versions lack these: their value is the default.
+        if (is_variant_axis(axis) && !json.contains(axis)) continue;
         const Where at(where, axis);
         const auto text = axis_text(member(json, where, axis.c_str()), at, axis);
         try {

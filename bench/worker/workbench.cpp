@@ -70,13 +70,7 @@ Build describe_build(const BuiltKernel& kernel, const ocl::KernelFacts& facts) {
 
 /// "work-group 64, queue out_of_order"
 std::string launch_name(const Case& c) {
-    Variant launched = c.variant;
-    const Variant usual;
-    launched.scene_memory = usual.scene_memory;
-    launched.pixel_filter = usual.pixel_filter;
-    launched.rng = usual.rng;
-    launched.build = usual.build;
-    const std::string more = to_string(launched);
+    const std::string more = to_string(of_launch(c.variant));
     return "work-group " + to_string(c.work_group) + (more.empty() ? "" : ", " + more);
 }
 

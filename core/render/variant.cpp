@@ -1,5 +1,7 @@
 #include "core/render/variant.h"
 
+#include <algorithm>
+
 namespace ptb {
 
 namespace {
@@ -34,12 +36,26 @@ const std::vector<VariantAxis>& variant_axes() {
     return axes;
 }
 
-Variant of_image(Variant variant) {
+bool is_variant_axis(const std::string& name) {
+    const auto& axes = variant_axes();
+    return std::any_of(axes.begin(), axes.end(), [&](const VariantAxis& axis) { return axis.name == name; });
+}
+
+Variant of_launch(const Variant& variant) {
+    Variant result;
+    result.film_memory = variant.film_memory;
+    result.queue = variant.queue;
+    result.dispatch = variant.dispatch;
+    return result;
+}
+
+Variant of_image(const Variant& variant) {
+    Variant result = variant;
     const Variant usual;
-    variant.film_memory = usual.film_memory;
-    variant.queue = usual.queue;
-    variant.dispatch = usual.dispatch;
-    return variant;
+    result.film_memory = usual.film_memory;
+    result.queue = usual.queue;
+    result.dispatch = usual.dispatch;
+    return result;
 }
 
 std::string to_string(const Variant& variant) {

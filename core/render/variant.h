@@ -39,9 +39,12 @@ struct VariantAxis {
 };
 
 const std::vector<VariantAxis>& variant_axes();
+bool is_variant_axis(const std::string& name);
 
 /// The part that an image depends on: launched as usual, film in a buffer.
-Variant of_image(Variant variant);
+Variant of_image(const Variant& variant);
+/// The rest: where the film lies and how work is launched, of which no bit of the image may depend.
+Variant of_launch(const Variant& variant);
 
 /// What is not the default: "queue out_of_order, rng park_miller", or nothing.
 std::string to_string(const Variant& variant);

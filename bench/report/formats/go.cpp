@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cctype>
 
 #include <fmt/format.h>
@@ -24,11 +23,8 @@ std::string word(std::string text) {
 std::string name_of(const Case& c) {
     std::string name = "BenchmarkRender/device=" + word(c.device);
     const Case usual = default_case();
-    const auto& choices = variant_axes();
     const auto unsaid = [&](const std::string& axis) {
-        const auto is = [&](const VariantAxis& each) { return each.name == axis; };
-        return std::any_of(choices.begin(), choices.end(), is) &&
-               case_value(c, axis) == case_value(usual, axis);
+        return is_variant_axis(axis) && case_value(c, axis) == case_value(usual, axis);
     };
     for (const std::string& axis : axis_names())
         if (!unsaid(axis)) name += fmt::format("/{}={}", axis, word(case_value(c, axis)));
