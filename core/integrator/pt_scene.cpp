@@ -61,7 +61,7 @@ PtStart start(const Scene& scene, const std::vector<Sphere>& spheres, std::uint3
     const ptb_float4 position = device_vector(scene.camera.position);
     result.position_side = {position.x, position.y, position.z, std::bit_cast<float>(side)};
     for (std::size_t i = 0; i < std::min<std::size_t>(spheres.size(), PT_FEW_MOST); ++i)
-        (&result.gap[i / 4].x)[i % 4] = camera_gap(scene, spheres[i]);
+        result.gap[i] = camera_gap(scene, spheres[i]);
     return result;
 }
 

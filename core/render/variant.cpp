@@ -16,6 +16,13 @@ VariantAxis axis(const char* name, const char* help, std::vector<std::string> va
             }};
 }
 
+Variant launched_as(Variant variant, const Variant& launch) {
+    variant.film_memory = launch.film_memory;
+    variant.queue = launch.queue;
+    variant.dispatch = launch.dispatch;
+    return variant;
+}
+
 }  // namespace
 
 const std::vector<VariantAxis>& variant_axes() {
@@ -41,22 +48,8 @@ bool is_variant_axis(const std::string& name) {
     return std::any_of(axes.begin(), axes.end(), [&](const VariantAxis& axis) { return axis.name == name; });
 }
 
-Variant of_launch(const Variant& variant) {
-    Variant result;
-    result.film_memory = variant.film_memory;
-    result.queue = variant.queue;
-    result.dispatch = variant.dispatch;
-    return result;
-}
-
-Variant of_image(const Variant& variant) {
-    Variant result = variant;
-    const Variant usual;
-    result.film_memory = usual.film_memory;
-    result.queue = usual.queue;
-    result.dispatch = usual.dispatch;
-    return result;
-}
+Variant of_image(const Variant& variant) { return launched_as(variant, {}); }
+Variant of_launch(const Variant& variant) { return launched_as({}, variant); }
 
 std::string to_string(const Variant& variant) {
     std::string text;

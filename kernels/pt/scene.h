@@ -53,9 +53,11 @@ typedef struct Scene {
     uint distance_mask; /* see pt/hit.h */
 } Scene;
 
+static inline uint two_sided_spheres(Scene scene) { return scene.count - scene.opaque; }
+
 /* Numbers of faces, as PtSurface orders them. */
 static inline lanes_u two_sided_face(uint number, lanes_u side) { return (lanes_u)(2u * number) | side; }
-static inline uint opaque_face(Scene scene, uint sphere) { return 2u * (scene.count - scene.opaque) + sphere; }
+static inline uint opaque_face(Scene scene, uint sphere) { return 2u * two_sided_spheres(scene) + sphere; }
 static inline uint background(Scene scene) { return opaque_face(scene, scene.opaque); }
 
 /* Which two-sided spheres a path is inside: a bit each, from the top. Only transmission changes it. */

@@ -199,9 +199,7 @@ static inline void start_spares(Path* path, Spare* spare, lanes_mask ended, uint
     }
 #ifdef PT_CARRIED
     for (uint i = 0; i < PT_FEW; ++i) {
-        const float4 gaps = start.row->gap[i / 4u];
-        const float gap = i % 4u == 0u ? gaps.x : i % 4u == 1u ? gaps.y : i % 4u == 2u ? gaps.z : gaps.w;
-        path->ray.gap[i] = lanes_select(path->ray.gap[i], (lanes_f)(gap), ended);
+        path->ray.gap[i] = lanes_select(path->ray.gap[i], (lanes_f)(start.row->gap[i]), ended);
     }
 #endif
     spare->ready = lanes_hold(spare->ready & !ended);

@@ -18,9 +18,10 @@ typedef struct PtFewSpheres {
 } PtFewSpheres;
 PTB_ASSERT_SIZE(PtFewSpheres, 256);
 
-/* What scattering needs to know of a face of a sphere. Rows: the outer and the inner face of each
-   two-sided sphere, the one face of each opaque one, the background. `outwards` is 1 / radius, negative on an inner face: times the way from the
-   centre, the normal on this side. */
+/* What scattering needs to know of a face of a sphere. Rows: the outer and the inner face of each two-sided sphere, the
+   one face of each opaque one, the background. `outwards` is 1 / radius, negative on an inner face: times the way from
+   the centre, the normal on this side. A side is the bit of its two-sided sphere, when one word holds all bits; else its
+   number. Bits count from the top, since signs are tested for nothing. */
 typedef struct PtSurface {
     ptb_float4 centre_matte; /* xyz: centre; w: outwards if matte, else 0 */
     ptb_float4 weight_eta;   /* rgb: throughput factor of a bounce; w: the index of refraction here over that beyond, NaN
@@ -32,13 +33,10 @@ typedef struct PtSurface {
 } PtSurface;
 PTB_ASSERT_SIZE(PtSurface, 80);
 
-/* A surface's side is the bit of its two-sided sphere, when one word holds all bits; else its number. Bits count from the
-   top, since signs are tested for nothing. */
-
 /* What all paths start with; one more row of the surfaces. */
 typedef struct PtStart {
     ptb_float4 position_side; /* xyz: of the camera; w: bits of the first word of the sides that it is on */
-    ptb_float4 gap[4];        /* of few spheres: radius^2 - |camera - centre|^2, rounded once from double */
+    float gap[PT_FEW_MOST + 1]; /* of few spheres: radius^2 - |camera - centre|^2, rounded once from double */
 } PtStart;
 PTB_ASSERT_SIZE(PtStart, 80);
 

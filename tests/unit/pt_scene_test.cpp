@@ -71,7 +71,7 @@ TEST(PtScene, knows_the_zeros_of_centres_and_what_paths_start_with) {
     const auto start = std::bit_cast<PtStart>(scene.surfaces.back());
     EXPECT_EQ(start.position_side.z, -4.0f);
     EXPECT_EQ(std::bit_cast<std::uint32_t>(start.position_side.w), scene.camera_sides.front());
-    EXPECT_FLOAT_EQ(start.gap[0].x, 4 - (9 + 16)) << "radius^2 - |camera - centre|^2";
+    EXPECT_FLOAT_EQ(start.gap[0], 4 - (9 + 16)) << "radius^2 - |camera - centre|^2";
 }
 
 TEST(PtScene, counts_faces_where_spheres_are_few) {
