@@ -69,10 +69,10 @@ class PtRender : public Render {
         scene_bytes_ = pt_scene.bytes();
         launch_.camera = device_camera(scene.camera, job.size);
         launch_.width = static_cast<std::uint32_t>(job.size.width);
+        launch_.inverse_width = 1.0f / static_cast<float>(job.size.width);
         launch_.path_length = static_cast<std::uint32_t>(job.path_length);
         launch_.units_per_lane = static_cast<std::uint32_t>(shape_.units_per_lane);
         launch_.seed = job.seed;
-        launch_.distance_mask = ~std::uint32_t{15};
         launch_.opaque_spheres = pt_scene.opaque;
         launch_.two_sided_spheres = pt_scene.two_sided;
         stratify(launch_, static_cast<std::uint32_t>(job.spp));
@@ -219,6 +219,7 @@ class PtRender : public Render {
             std::clamp<std::uint64_t>(samples / shape_.runs.length(run_), 1, shape_.max_units);
         launch_.first_pixel = static_cast<std::uint32_t>(pixel_);
         launch_.pixels = static_cast<std::uint32_t>(runs > 0 ? pixels_ : std::min(band, pixels_ - pixel_));
+        launch_.inverse_pixels = 1.0f / static_cast<float>(launch_.pixels);
         launch_.first_run = run_;
         launch_.units = launch_.pixels * std::max(runs, 1u);
     }

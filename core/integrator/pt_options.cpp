@@ -86,6 +86,7 @@ std::string pt_options(const ocl::Device& device, const Scene& scene, const Rend
                         pt_scene.zeros[2]);
     else if (places.spheres == PT_IN_LOCAL)
         text += fmt::format(" -DPT_COUNT={} -DPT_FACES={}", pt_scene.spheres.size(), pt_scene.faces());
+    if (ocl::bounds_loops(device.info)) text += " -DPT_BOUNDED";
     if (glows(scene)) text += " -DPT_GLOWS";
     if (lone_on_gpu) text += " -DPT_BATCH=6";
     if (lone_on_gpu && pt_scene.is_few()) text += " -DPT_CARRIED";

@@ -23,31 +23,22 @@ float camera_gap(const Scene& scene, const Sphere& sphere) {
     return static_cast<float>(sphere.radius * sphere.radius - dot(to_centre, to_centre));
 }
 
-/// `side`: bits of a float, see PtSurface.
-PtSurface outer_face(const Sphere& sphere, const Material& material, float side) {
+/// `inside`: its inner face.
+PtSurface face(const Sphere& sphere, const Material& material, bool inside) {
     const bool mirror = material.type == MaterialType::mirror;
     const bool dielectric = material.type == MaterialType::dielectric;
     const Vec3 weight = dielectric || !material.scatters ? Vec3{1, 1, 1}
                         : mirror                         ? material.reflectance
                                                          : material.albedo;
-    const double outwards = 1 / sphere.radius;
-    const double eta = dielectric ? 1 / material.ior : std::numeric_limits<double>::quiet_NaN();
+    const double outwards = (inside ? -1 : 1) / sphere.radius;
+    const double eta = !dielectric ? std::numeric_limits<double>::quiet_NaN() : inside ? material.ior : 1 / material.ior;
     const double mirrored = !material.scatters ? -1 : mirror || dielectric ? 2 * outwards * outwards : 0;
     return {device_vector(sphere.centre, mirrored == 0 ? outwards : 0),
-            device_vector(weight, eta),
+            device_vector(weight, eta * eta),
             device_vector(material.radiance),
-            {static_cast<float>(mirrored), static_cast<float>(outwards), static_cast<float>(outwards / eta),
-             side},
+            {static_cast<float>(mirrored), static_cast<float>(outwards * eta), static_cast<float>(outwards / eta),
+             static_cast<float>(1 - eta * eta)},
             {}};
-}
-
-PtSurface inner_face(PtSurface face) {
-    const float eta = 1 / face.weight_eta.w;
-    face.centre_matte.w *= -1;
-    face.weight_eta.w = eta;
-    face.traits.y *= -1;
-    face.traits.z = face.traits.y / eta;
-    return face;
 }
 
 PtSurface background() {
@@ -62,6 +53,7 @@ PtStart start(const Scene& scene, const std::vector<Sphere>& spheres, std::uint3
     result.position_side = {position.x, position.y, position.z, std::bit_cast<float>(side)};
     for (std::size_t i = 0; i < std::min<std::size_t>(spheres.size(), PT_FEW_MOST); ++i)
         result.gap[i] = camera_gap(scene, spheres[i]);
+    result.distance_mask = PT_DISTANCE_MASK;
     return result;
 }
 
@@ -94,17 +86,15 @@ PtScene make_pt_scene(const Scene& scene) {
             result.few.sphere[i] = result.spheres.back();
             note_zeros(result.spheres.back().centre_k, i, result.zeros);
         }
-        const std::uint32_t number = i < result.opaque ? 0 : i - result.opaque;
-        const std::uint32_t bit = 0x80000000u >> number % 32;
-        const std::uint32_t side = result.camera_sides.size() == 1 ? bit : number;
-        const PtSurface outer = outer_face(sphere, scene.materials[static_cast<std::size_t>(sphere.material)],
-                                           std::bit_cast<float>(side));
+        const Material& material = scene.materials[static_cast<std::size_t>(sphere.material)];
         if (i < result.opaque) {
-            opaque.push_back(outer);
+            opaque.push_back(face(sphere, material, false));
             continue;
         }
-        result.surfaces.insert(result.surfaces.end(), {outer, inner_face(outer)});
-        if (camera_inside(scene, sphere)) result.camera_sides[number / 32] |= bit;
+        result.surfaces.push_back(face(sphere, material, false));
+        result.surfaces.push_back(face(sphere, material, true));
+        const std::uint32_t number = i - result.opaque;
+        if (camera_inside(scene, sphere)) result.camera_sides[number / 32] |= 0x80000000u >> number % 32;
     }
     result.surfaces.insert(result.surfaces.end(), opaque.begin(), opaque.end());
     result.surfaces.push_back(background());

@@ -152,9 +152,10 @@ std::vector<DeviceInfo> query_devices() {
     return infos;
 }
 
+bool bounds_loops(const DeviceInfo& info) { return info.name.find("llvmpipe") != std::string::npos; }
+
 std::uint64_t loop_limit(const DeviceInfo& info) {
-    return info.name.find("llvmpipe") != std::string::npos ? 65535
-                                                           : std::numeric_limits<std::uint64_t>::max();
+    return bounds_loops(info) ? 65535 : std::numeric_limits<std::uint64_t>::max();
 }
 
 Device open_device(const std::string& key) {

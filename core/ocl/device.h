@@ -24,8 +24,11 @@ std::vector<DeviceInfo> query_devices();
 /// Opens the device with this key. Throws Error, or std::runtime_error when no device has the key.
 Device open_device(const std::string& key);
 
-/// Turns that all loops of a work-item together may take on this device; more are silently dropped. Mesa's
-/// llvmpipe stops after 65535, which shows as missing samples; elsewhere there is no limit.
+/// Whether this device silently drops what loops of a work-item do after a number of turns: Mesa's llvmpipe,
+/// after 65535, which shows as missing samples.
+bool bounds_loops(const DeviceInfo& info);
+
+/// Turns that all loops of a work-item together may take on this device.
 std::uint64_t loop_limit(const DeviceInfo& info);
 
 /// Runs `call`, turning the bindings' exceptions into Error with the arguments and the device's name.

@@ -110,6 +110,7 @@ static inline lanes_u lanes_select_u(lanes_u if_false, lanes_u if_true, lanes_ma
     return mask ? if_true : if_false;
 }
 
+#define LANES_SIGN 0x80000000u /* of a float */
 #if PTB_LANES == 1
 static inline lanes_f lanes_abs(lanes_f a) { return fabs(a); }
 #else
@@ -121,17 +122,13 @@ static inline lanes_f lanes_max(lanes_f a, lanes_f b) { return lanes_select(b, a
 static inline lanes_u lanes_min_u(lanes_u a, lanes_u b) { return lanes_select_u(b, a, a < b); }
 static inline lanes_u lanes_max_u(lanes_u a, lanes_u b) { return lanes_select_u(b, a, a > b); }
 
-/* n / d for n below 2^31 and quotients below 2^22. SIMD has no such division, so a product that is off by one at most,
-   put right. */
-static inline lanes_u lanes_divide(lanes_u n, uint d) {
-#if PTB_LANES == 1
-    return n / d;
-#else
-    const lanes_u q = lanes_to_u(lanes_to_f(n) * (1.0f / (float)d));
-    const lanes_u rest = n - q * d;
-    const lanes_mask below = rest >= 0x80000000u, above = !below & (rest >= d);
-    return q + lanes_select_u(lanes_select_u((lanes_u)(0u), (lanes_u)(1u), above), (lanes_u)(0xffffffffu), below);
-#endif
+/* n / d for n below 2^31 and quotients below 2^22; inverse is 1 / d, rounded. Neither SIMD nor GPUs have such a division,
+   so a product that is off by one at most, put right. */
+static inline lanes_u lanes_divide(lanes_u n, uint d, float inverse) {
+    const lanes_u q = lanes_to_u(lanes_to_f(n) * inverse);
+    const lanes_i rest = lanes_as_i(n - q * d);
+    const lanes_u none = (lanes_u)(0u), one = (lanes_u)(1u);
+    return q + lanes_select_u(none, one, rest >= (lanes_i)((int)d)) - lanes_select_u(none, one, rest < 0);
 }
 
 #endif

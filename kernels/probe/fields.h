@@ -12,11 +12,14 @@
     S(PtSurface) F(PtSurface, centre_matte) F(PtSurface, weight_eta) F(PtSurface, radiance)           \
     F(PtSurface, traits) F(PtSurface, padding)                                                        \
     S(PtFewSpheres) F(PtFewSpheres, sphere) S(PtStart) F(PtStart, position_side) F(PtStart, gap)      \
-    S(PtLaunch) F(PtLaunch, camera) F(PtLaunch, width) F(PtLaunch, first_pixel) F(PtLaunch, pixels)   \
-    F(PtLaunch, first_run) F(PtLaunch, units) F(PtLaunch, path_length) F(PtLaunch, seed)              \
+    F(PtStart, distance_mask)                                                                         \
+    S(PtLaunch) F(PtLaunch, camera) F(PtLaunch, width) F(PtLaunch, inverse_width)                     \
+    F(PtLaunch, first_pixel) F(PtLaunch, pixels) F(PtLaunch, inverse_pixels) F(PtLaunch, first_run)   \
+    F(PtLaunch, units) F(PtLaunch, path_length) F(PtLaunch, seed)                                     \
     F(PtLaunch, opaque_spheres) F(PtLaunch, two_sided_spheres) F(PtLaunch, units_per_lane)            \
-    F(PtLaunch, distance_mask) F(PtLaunch, first_unit) F(PtLaunch, slice)                             \
+    F(PtLaunch, first_unit) F(PtLaunch, slice)                                                        \
     F(PtLaunch, strata_columns) F(PtLaunch, stratum_width) F(PtLaunch, stratum_height)                \
+    F(PtLaunch, padding)                                                                              \
     S(PtTally) F(PtTally, radiance) F(PtTally, squares) F(PtTally, samples) F(PtTally, segments)      \
     F(PtTally, full_length_paths) F(PtTally, padding)                                                 \
     S(ThesisMaterial) F(ThesisMaterial, colour) F(ThesisMaterial, radiance) F(ThesisMaterial, type)   \

@@ -24,12 +24,14 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
                             PT_SURFACE_SPACE const PtSurface* surface_rows, __global const uint* camera_sides,
                             __global const uint* run_starts, PtLaunch launch COUNTED_PARAMETER) {
 #ifdef PT_FEW
-    const Scene scene = {spheres, PT_OPAQUE, PT_FEW, launch.distance_mask};
+    const uint opaque = PT_OPAQUE, count = PT_FEW;
 #else
-    const Scene scene = {spheres, launch.opaque_spheres, launch.opaque_spheres + launch.two_sided_spheres, 0u};
+    const uint opaque = launch.opaque_spheres, count = opaque + launch.two_sided_spheres;
 #endif
-    const Surfaces surfaces = surfaces_of(surface_rows, background(scene));
-    const Start start = {(PT_SURFACE_SPACE const PtStart*)&surface_rows[background(scene) + 1u], camera_sides};
+    const uint faces = 2u * count - opaque;
+    const Start start = {(PT_SURFACE_SPACE const PtStart*)&surface_rows[faces + 1u], camera_sides};
+    const Scene scene = {spheres, opaque, count, start.row->distance_mask};
+    const Surfaces surfaces = surfaces_of(surface_rows, faces);
     Unit unit = no_unit();
     Path path = no_path();
     Spare spare = no_spare();
@@ -70,12 +72,13 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
                 add_samples(&unit, radiance, lacking);
                 radiance = vec_select(radiance, vec_of((float4)(0.0f)), lacking);
                 spare.radiance = vec_of((float4)(0.0f));
-                unit.full_length_paths += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), full);
+                unit.counts += lanes_select_u((lanes_u)(0u), (lanes_u)(PT_FULL_LENGTH), full);
                 const lanes_mask finished = lacking & (unit.sample == unit.end);
                 if (lanes_any(finished)) {
                     write_units(&unit, finished, turn, tallies);
                     COUNTED_LANES(alive & finished, PT_UNIT_WORK)
                     COUNTED_LANES(alive & finished, PT_TAKE_WORK)
+                    if (PTB_LANES == 1) turn = 0u;
                     alive &= !finished | take_units(&unit, finished, turn, queue, run_starts, &launch);
                     }
                 refill(&spare, &unit, &launch);

@@ -23,14 +23,12 @@ static inline Vec draw_bounce(Random* random) {
    instead of two; |z| is uniform in [0, 1]. `normal` is from_centre's share in the mirrored direction; rewrites that of
    the lanes that go through and returns them. */
 static inline lanes_mask refract_some(lanes_f* normal, lanes_f along, const Surface* surface, const Vec* draw) {
-    const lanes_f eta = surface->eta;
-    const lanes_f cosine = -along * surface->outwards;
+    const lanes_f eta_cos = -along * surface->before;
     /* NaN, so no transmission, where reflection is total */
-    const lanes_f cos_t = lanes_sqrt(1.0f - eta * eta * (1.0f - cosine * cosine));
-    const lanes_mask parallel = lanes_as_i(draw->y) < 0;
-    const lanes_f incident = lanes_select(eta * cosine, cosine, parallel);
-    const lanes_f refracted = lanes_select(cos_t, eta * cos_t, parallel);
-    const lanes_f minus = incident - refracted, plus = incident + refracted;
+    const lanes_f cos_t = lanes_sqrt(eta_cos * eta_cos + surface->less_eta_squared);
+    /* eta cos -+ cos_t, or eta (cos -+ eta cos_t) of parallel polarisation; of these only the ratio matters */
+    const lanes_f factor = lanes_select((lanes_f)(1.0f), surface->eta_squared, lanes_as_i(draw->y) < 0);
+    const lanes_f minus = eta_cos - factor * cos_t, plus = eta_cos + factor * cos_t;
     /* reflectance = (minus / plus)^2, compared with |z| without dividing */
     const lanes_mask through = lanes_abs(draw->z) * (plus * plus) >= minus * minus;
     *normal = lanes_select(*normal, 0.5f * *normal - cos_t * surface->beyond, through);
@@ -46,7 +44,7 @@ static inline void scatter(Ray* ray, Sides* inside, const Hit* hit, const Surfac
     lanes_f normal = surface->matte - surface->mirrored * along;
     const Vec base = vec_select(*draw, ray->direction, surface->mirrored > 0.0f);
     /* of many rays some is mostly at a dielectric, so there is no branch */
-    if (two_sided > 0u) change_sides(inside, surface->side, refract_some(&normal, along, surface, draw));
+    if (two_sided > 0u) change_sides(inside, hit_face(hit), two_sided, refract_some(&normal, along, surface, draw));
     ray->direction = vec_normalize(vec_add_scaled(base, from_centre, normal));
 }
 

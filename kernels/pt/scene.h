@@ -56,7 +56,7 @@ typedef struct Scene {
 static inline uint two_sided_spheres(Scene scene) { return scene.count - scene.opaque; }
 
 /* Numbers of faces, as PtSurface orders them. */
-static inline lanes_u two_sided_face(uint number, lanes_u side) { return (lanes_u)(2u * number) | side; }
+static inline lanes_u two_sided_face(uint number, lanes_u in) { return (lanes_u)(2u * number) | (in >> 31); }
 static inline uint opaque_face(Scene scene, uint sphere) { return 2u * two_sided_spheres(scene) + sphere; }
 static inline uint background(Scene scene) { return opaque_face(scene, scene.opaque); }
 
@@ -65,29 +65,20 @@ typedef struct Sides {
     lanes_u word[PT_SIDE_WORDS];
 } Sides;
 
-/* 1 inside, else 0. */
-static inline lanes_u side_of(const Sides* inside, uint number) {
-    return (inside->word[number / 32u] >> (31u - number % 32u)) & 1u;
+/* A float's sign bit inside, else 0. */
+static inline lanes_u side_sign(const Sides* inside, uint number) {
+    return (inside->word[number / 32u] << (number % 32u)) & LANES_SIGN;
 }
 
-/* Passes through a sphere of each lane's own, which its surface names by its number, or by its bit where one word holds
-   all. */
-#if PT_SIDE_WORDS == 1
-
-static inline void change_sides(Sides* inside, lanes_u bit, lanes_mask through) {
-    inside->word[0] ^= lanes_select_u((lanes_u)(0u), bit, through);
-}
-
-#else
-
-static inline void change_sides(Sides* inside, lanes_u number, lanes_mask through) {
+/* Passes through a face of each lane's own, of `two_sided` spheres'. */
+static inline void change_sides(Sides* inside, lanes_u face, uint two_sided, lanes_mask through) {
+    const lanes_u number = two_sided == 1u ? (lanes_u)(0u) : face >> 1;
     const lanes_u bit = (lanes_u)(0x80000000u) >> (number & 31u);
     for (uint i = 0; i < PT_SIDE_WORDS; ++i) {
-        inside->word[i] ^= lanes_select_u((lanes_u)(0u), bit, through & ((number >> 5) == (lanes_u)(i)));
+        const lanes_mask here = PT_SIDE_WORDS == 1 ? through : through & ((number >> 5) == (lanes_u)(i));
+        inside->word[i] = lanes_select_u(inside->word[i], inside->word[i] ^ bit, here);
     }
 }
-
-#endif
 
 typedef struct Ray {
     Vec origin, direction; /* the direction has length 1 */

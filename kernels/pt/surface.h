@@ -10,9 +10,8 @@ typedef struct Surface {
     Vec centre;
     lanes_f matte;
     Vec weight;
-    lanes_f eta;
-    lanes_f mirrored, outwards, beyond;
-    lanes_u side;
+    lanes_f eta_squared, less_eta_squared; /* and 1 - eta^2 */
+    lanes_f mirrored, before, beyond; /* outwards eta, and outwards / eta */
 } Surface;
 
 /* How a lane reaches its own row: with few spheres the rows lie in registers, a table a field, and one permute serves all
@@ -21,7 +20,7 @@ typedef struct Surface {
 #if defined(PT_FEW) && TABLE_PERMUTES
 
 typedef struct Surfaces {
-    Table field[15];
+    Table field[14];
 } Surfaces;
 
 static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint faces) {
@@ -42,11 +41,11 @@ static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint 
         s.field[11].row[i] = row.traits.x;
         s.field[12].row[i] = row.traits.y;
         s.field[13].row[i] = row.traits.z;
-        s.field[14].row[i] = row.traits.w;
     }
     return s;
 }
 #define SURFACE_FIELD(surfaces, number, member, index) table_lookup(&(surfaces)->field[number], index)
+#define SURFACE_LESS_ETA_SQUARED(surfaces, eta_squared, index) (1.0f - (eta_squared)) /* is less than a lookup */
 
 #else
 
@@ -61,6 +60,7 @@ static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint 
     return s;
 }
 #define SURFACE_FIELD(surfaces, number, member, index) LANES_GATHER((surfaces)->rows, index, member)
+#define SURFACE_LESS_ETA_SQUARED(surfaces, eta_squared, index) LANES_GATHER((surfaces)->rows, index, traits.w)
 
 #endif
 
@@ -73,11 +73,11 @@ static inline Surface surface_of(const Surfaces* all, lanes_u face) {
     s.weight.x = SURFACE_FIELD(all, 4, weight_eta.x, face);
     s.weight.y = SURFACE_FIELD(all, 5, weight_eta.y, face);
     s.weight.z = SURFACE_FIELD(all, 6, weight_eta.z, face);
-    s.eta = SURFACE_FIELD(all, 7, weight_eta.w, face);
+    s.eta_squared = SURFACE_FIELD(all, 7, weight_eta.w, face);
+    s.less_eta_squared = SURFACE_LESS_ETA_SQUARED(all, s.eta_squared, face);
     s.mirrored = SURFACE_FIELD(all, 11, traits.x, face);
-    s.outwards = SURFACE_FIELD(all, 12, traits.y, face);
+    s.before = SURFACE_FIELD(all, 12, traits.y, face);
     s.beyond = SURFACE_FIELD(all, 13, traits.z, face);
-    s.side = lanes_as_u(SURFACE_FIELD(all, 14, traits.w, face));
     return s;
 }
 

@@ -34,16 +34,17 @@ static inline Vec gathered_radiance(const Path* path, const Surfaces* surfaces, 
 #endif
 }
 
+#define PT_FULL_LENGTH 0x10000u
+
 /* The unit each lane works on, and its sums so far. */
 typedef struct Unit {
     lanes_u number;
     lanes_u pixel_hash;
     lanes_f column, row; /* of its pixel, less 1, since random numbers begin there */
     lanes_u sample, end; /* the next one to start, and the one after the last */
-    lanes_u samples;
+    lanes_u counts; /* its samples, below 2^16; times 2^16, its paths of full length */
     lanes_u taken; /* units so far */
     lanes_u first_turn;
-    lanes_u full_length_paths;
     Vec sum, squares;
 } Unit;
 
@@ -60,7 +61,7 @@ static inline Unit no_unit(void) {
     const Vec zero = vec_of((float4)(0.0f));
     const lanes_f nowhere = (lanes_f)(0.0f);
     const lanes_u none = (lanes_u)(0u);
-    const Unit unit = {none, none, nowhere, nowhere, none, none, none, none, none, none, zero, zero};
+    const Unit unit = {none, none, nowhere, nowhere, none, none, none, none, none, zero, zero};
     return unit;
 }
 
@@ -89,21 +90,27 @@ static inline Spare no_spare(void) {
 /* Gives each wanting lane the next unit of the queue; returns the lanes that got one. */
 static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, uint turn, volatile __global uint* queue,
                                     __global const uint* run_starts, const PtLaunch* launch) {
+#ifdef PT_BOUNDED
     const lanes_mask may = wanting & (unit->taken < launch->units_per_lane);
+#else
+    const lanes_mask may = wanting;
+#endif
     lanes_u number = lanes_select_u((lanes_u)(0xffffffffu), (lanes_u)(0u), may);
     for (uint lane = 0; lane < PTB_LANES; ++lane) {
         if (LANE(number, lane) == 0u) LANE(number, lane) = launch->first_unit + atomic_inc(queue);
     }
-    const lanes_mask got = wanting & (number < launch->units);
-    number = lanes_select_u((lanes_u)(0u), number, got);
-    const lanes_u run = lanes_divide(number, launch->pixels);
+    const lanes_mask found = wanting & (number < launch->units);
+    number = lanes_select_u((lanes_u)(0u), number, found);
+    const lanes_mask got = MASK_OF_MANY(found), wanted = MASK_OF_MANY(wanting);
+    const lanes_u run = lanes_divide(number, launch->pixels, launch->inverse_pixels);
     const lanes_u pixel = number - run * launch->pixels + launch->first_pixel;
-    const lanes_u row = lanes_divide(pixel, launch->width);
+    const lanes_u row = lanes_divide(pixel, launch->width, launch->inverse_width);
     const lanes_u none = (lanes_u)(0u);
     lanes_u first = none, end = none;
     for (uint lane = 0; lane < PTB_LANES; ++lane) {
-        LANE(first, lane) = run_starts[LANE(run, lane) + launch->first_run];
-        LANE(end, lane) = run_starts[LANE(run, lane) + launch->first_run + 1u];
+        __global const uint* start = run_starts + launch->first_run + LANE(run, lane);
+        LANE(first, lane) = start[0];
+        LANE(end, lane) = start[1];
     }
     unit->taken += lanes_select_u(none, (lanes_u)(1u), may);
     unit->number = lanes_select_u(unit->number, number, got);
@@ -112,13 +119,12 @@ static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, uint turn, v
     unit->row = lanes_select(unit->row, lanes_to_f(row) - 1.0f, got);
     unit->sample = lanes_select_u(unit->sample, first, got);
     unit->end = lanes_select_u(unit->end, end, got);
-    unit->samples = lanes_select_u(unit->samples, end - first, got);
+    unit->counts = lanes_select_u(unit->counts, end - first, got);
     unit->first_turn = lanes_select_u(unit->first_turn, (lanes_u)(turn), got);
-    unit->full_length_paths = lanes_select_u(unit->full_length_paths, none, wanting);
     const Vec zero = vec_of((float4)(0.0f));
-    unit->sum = vec_select(unit->sum, zero, wanting);
-    unit->squares = vec_select(unit->squares, zero, wanting);
-    return got;
+    unit->sum = vec_select(unit->sum, zero, wanted);
+    unit->squares = vec_select(unit->squares, zero, wanted);
+    return found;
 }
 
 /* Adds a sample to each of these lanes' units. */
@@ -135,9 +141,9 @@ static inline void write_units(const Unit* unit, lanes_mask finished, uint turn,
         tally.radiance = (float4)(LANE(unit->sum.x, lane), LANE(unit->sum.y, lane), LANE(unit->sum.z, lane), 0.0f);
         tally.squares =
             (float4)(LANE(unit->squares.x, lane), LANE(unit->squares.y, lane), LANE(unit->squares.z, lane), 0.0f);
-        tally.samples = LANE(unit->samples, lane);
+        tally.samples = LANE(unit->counts, lane) & 0xffffu;
         tally.segments = turn - LANE(unit->first_turn, lane);
-        tally.full_length_paths = LANE(unit->full_length_paths, lane);
+        tally.full_length_paths = LANE(unit->counts, lane) >> 16;
         tally.padding = 0u;
         tallies[LANE(unit->number, lane)] = tally;
     }
@@ -149,7 +155,7 @@ static inline void place_sample(lanes_u sample, lanes_f u, lanes_f v, const PtLa
     (void)sample, (void)u, (void)v, (void)launch;
     *x = *y = (lanes_f)(1.5f);
 #elif defined(PT_FILTER) && PT_FILTER == PT_STRATIFIED
-    const lanes_u row = lanes_divide(sample, launch->strata_columns);
+    const lanes_u row = lanes_divide(sample, launch->strata_columns, launch->stratum_width);
     const lanes_u column = sample - row * launch->strata_columns;
     *x = (lanes_to_f(column) + (u - 1.0f)) * launch->stratum_width + 1.0f;
     *y = (lanes_to_f(row) + (v - 1.0f)) * launch->stratum_height + 1.0f;

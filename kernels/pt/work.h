@@ -76,7 +76,11 @@
 /* The spheres, which all lanes of a work-item share. */
 #define PT_STEP_WORK(spheres) 0u, 0u, 0u, (spheres) * PT_SPHERE_BYTES
 /* Refraction, which every ray works out in scenes with two-sided spheres. */
-#define PT_REFRACTION_WORK 16u, 1u, 0u, 0u
+#if defined(PT_FEW) && TABLE_PERMUTES
+#define PT_REFRACTION_WORK 14u, 1u, 0u, 0u
+#else
+#define PT_REFRACTION_WORK 13u, 1u, 0u, 0u
+#endif
 /* A path: its radiance and square added, and the next one's camera ray. */
 #define PT_PATH_WORK \
     (PT_END_FLOPS + 9u + PT_PLACE_FLOPS + 12u + PT_NORMALIZE_FLOPS), PT_RSQRT_ROOTS, PT_RSQRT_DIVISIONS, \

@@ -13,6 +13,9 @@ PTB_ASSERT_SIZE(PtSphere, 16);
 /* Spheres of so few faces are passed by value and known one by one while compiling; one row more is the background. */
 #define PT_FEW_MOST 15
 
+/* The bits of a distance that are kept where a face's number is put into the others. */
+#define PT_DISTANCE_MASK 0xfffffff0u
+
 typedef struct PtFewSpheres {
     PtSphere sphere[PT_FEW_MOST + 1];
 } PtFewSpheres;
@@ -20,15 +23,14 @@ PTB_ASSERT_SIZE(PtFewSpheres, 256);
 
 /* What scattering needs to know of a face of a sphere. Rows: the outer and the inner face of each two-sided sphere, the
    one face of each opaque one, the background. `outwards` is 1 / radius, negative on an inner face: times the way from
-   the centre, the normal on this side. A side is the bit of its two-sided sphere, when one word holds all bits; else its
-   number. Bits count from the top, since signs are tested for nothing. */
+   the centre, the normal on this side. `eta` is the index of refraction here over that beyond. */
 typedef struct PtSurface {
     ptb_float4 centre_matte; /* xyz: centre; w: outwards if matte, else 0 */
-    ptb_float4 weight_eta;   /* rgb: throughput factor of a bounce; w: the index of refraction here over that beyond, NaN
-                                unless dielectric, so that nothing goes through */
+    ptb_float4 weight_eta;   /* rgb: throughput factor of a bounce; w: eta^2 */
     ptb_float4 radiance;     /* rgb: emitted; w: unused */
     ptb_float4 traits;       /* x: 2 / radius^2 of a mirror or dielectric, 0 if matte, -1 if no path goes on from it;
-                                y: outwards; z: outwards / eta; w: bits of its side */
+                                y: outwards eta; z: outwards / eta; w: 1 - eta^2, NaN unless dielectric, so that
+                                nothing goes through */
     ptb_float4 padding; /* rows of 80 bytes lie in different banks of a GPU's local memory, rows of 64 in two of them */
 } PtSurface;
 PTB_ASSERT_SIZE(PtSurface, 80);
@@ -36,7 +38,8 @@ PTB_ASSERT_SIZE(PtSurface, 80);
 /* What all paths start with; one more row of the surfaces. */
 typedef struct PtStart {
     ptb_float4 position_side; /* xyz: of the camera; w: bits of the first word of the sides that it is on */
-    float gap[PT_FEW_MOST + 1]; /* of few spheres: radius^2 - |camera - centre|^2, rounded once from double */
+    float gap[PT_FEW_MOST]; /* of few spheres: radius^2 - |camera - centre|^2, rounded once from double */
+    ptb_uint distance_mask; /* PT_DISTANCE_MASK */
 } PtStart;
 PTB_ASSERT_SIZE(PtStart, 80);
 
@@ -57,23 +60,25 @@ PTB_ASSERT_SIZE(PtStart, 80);
 typedef struct PtLaunch {
     PtbCamera camera;
     ptb_uint width;
+    float inverse_width;
     ptb_uint first_pixel;
     ptb_uint pixels;
+    float inverse_pixels;
     ptb_uint first_run;
     ptb_uint units;
     ptb_uint path_length;
     ptb_uint seed;
     ptb_uint opaque_spheres;  /* the first ones: no path is ever inside */
     ptb_uint two_sided_spheres; /* the rest: dielectrics, and what the camera is in */
-    ptb_uint units_per_lane; /* at most: some drivers bound the turns of a loop */
-    ptb_uint distance_mask; /* ~15; a constant, but not told to the compiler: see pt/hit.h */
+    ptb_uint units_per_lane; /* at most, with PT_BOUNDED: some drivers bound the turns of a loop */
     ptb_uint first_unit;    /* this launch takes the units from here to `units`, */
     ptb_uint slice;         /* by the counter of this number */
     ptb_uint strata_columns; /* of stratified pixels; */
     float stratum_width;     /* in pixels */
     float stratum_height;
+    ptb_uint padding[3];
 } PtLaunch;
-PTB_ASSERT_SIZE(PtLaunch, 128);
+PTB_ASSERT_SIZE(PtLaunch, 144);
 
 /* What a unit leaves, or a pixel of the film holds: sums over its samples. */
 typedef struct PtTally {

@@ -39,10 +39,12 @@ TEST(PtScene, has_both_faces_of_what_a_path_can_be_in_then_the_others) {
     EXPECT_EQ(scene.spheres[2].centre_k.x, 1.0f) << "two-sided spheres are the last";
     const PtSurface& outer = scene.surfaces[0];
     const PtSurface& inner = scene.surfaces[1];
-    EXPECT_FLOAT_EQ(outer.traits.y, 1.0f / 8);
-    EXPECT_FLOAT_EQ(inner.traits.y, -1.0f / 8);
-    EXPECT_FLOAT_EQ(outer.weight_eta.w, 1 / 1.5f);
-    EXPECT_FLOAT_EQ(inner.weight_eta.w, 1.5f);
+    EXPECT_FLOAT_EQ(outer.traits.y, 1 / 1.5f / 8) << "outwards eta";
+    EXPECT_FLOAT_EQ(inner.traits.y, -1.5f / 8);
+    EXPECT_FLOAT_EQ(outer.weight_eta.w, 1 / 2.25f) << "eta^2";
+    EXPECT_FLOAT_EQ(inner.weight_eta.w, 2.25f);
+    EXPECT_FLOAT_EQ(outer.traits.w, 1 - 1 / 2.25f);
+    EXPECT_FLOAT_EQ(inner.traits.w, 1 - 2.25f);
     EXPECT_FLOAT_EQ(outer.traits.z, 1.5f / 8) << "outwards / eta";
     EXPECT_FLOAT_EQ(inner.traits.z, -1 / 1.5f / 8);
     EXPECT_FLOAT_EQ(outer.traits.x, 2.0f / 64) << "2 / radius^2";
@@ -54,7 +56,7 @@ TEST(PtScene, tells_matte_from_mirror_and_both_from_what_ends_a_path) {
     const PtSurface& matte = scene.surfaces[2];
     EXPECT_FLOAT_EQ(matte.centre_matte.w, 1.0f / 2);
     EXPECT_EQ(matte.traits.x, 0.0f);
-    EXPECT_TRUE(std::isnan(matte.weight_eta.w));
+    EXPECT_TRUE(std::isnan(matte.traits.w)) << "nothing goes through";
     const PtSurface& mirror = scene.surfaces[3];
     EXPECT_EQ(mirror.centre_matte.w, 0.0f);
     EXPECT_FLOAT_EQ(mirror.traits.x, 2.0f / 16);
@@ -72,6 +74,7 @@ TEST(PtScene, knows_the_zeros_of_centres_and_what_paths_start_with) {
     EXPECT_EQ(start.position_side.z, -4.0f);
     EXPECT_EQ(std::bit_cast<std::uint32_t>(start.position_side.w), scene.camera_sides.front());
     EXPECT_FLOAT_EQ(start.gap[0], 4 - (9 + 16)) << "radius^2 - |camera - centre|^2";
+    EXPECT_EQ(start.distance_mask, ~15u);
 }
 
 TEST(PtScene, counts_faces_where_spheres_are_few) {
