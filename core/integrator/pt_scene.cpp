@@ -94,7 +94,8 @@ PtScene make_pt_scene(const Scene& scene) {
         result.surfaces.push_back(face(sphere, material, false));
         result.surfaces.push_back(face(sphere, material, true));
         const std::uint32_t number = i - result.opaque;
-        if (camera_inside(scene, sphere)) result.camera_sides[number / 32] |= 0x80000000u >> number % 32;
+        const std::uint32_t bit = result.two_sided == 1 ? 0x80000001u : 0x80000000u >> number % 32;
+        if (camera_inside(scene, sphere)) result.camera_sides[number / 32] |= bit;
     }
     result.surfaces.insert(result.surfaces.end(), opaque.begin(), opaque.end());
     result.surfaces.push_back(background());

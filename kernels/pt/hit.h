@@ -134,10 +134,11 @@ static inline void offer_two_sided(Hit* hit, Scene scene, const Line* line, cons
     HIT_LOOP
     for (uint i = scene.opaque; i < scene.count; ++i) {
         const Quadratic e = quadratic_of(scene.spheres[i].centre_k, i, line, ray, hit);
-        const lanes_u in = side_sign(inside, i - scene.opaque), out = in ^ LANES_SIGN;
+        /* inside |d|, and the greater distance */
+        const lanes_u in = side_sign(scene, inside, i - scene.opaque);
         const lanes_f root = lanes_sqrt(lanes_as_f(lanes_as_u(e.d) & ~in));
-        const lanes_f distance = e.b + lanes_as_f(lanes_as_u(root) ^ out);
-        hit_offer(hit, distance, two_sided_face(i - scene.opaque, in), scene.distance_mask);
+        const lanes_f distance = e.b + lanes_as_f(lanes_as_u(root) ^ in ^ LANES_SIGN);
+        hit_offer(hit, distance, two_sided_face(scene, inside, i - scene.opaque), scene.distance_mask);
     }
 }
 

@@ -56,7 +56,7 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
             COUNTED(1u, PT_STEP_WORK(scene.count))
             COUNTED_LANES(alive, PT_SEGMENT_WORK(scene.count))
             COUNTED(two_sided_spheres(scene) > 0u ? counted_lanes(alive) : 0u, PT_REFRACTION_WORK)
-            scatter(&path.ray, &path.inside, &hit, &surface, &draw, two_sided_spheres(scene));
+            scatter(scene, &path.ray, &path.inside, &hit, &surface, &draw);
             turn += 1u;
             ends = surface.mirrored < 0.0f;
         } while (PT_BATCH > 1 && turn < stop && !lanes_any(ends));

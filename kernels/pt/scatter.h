@@ -36,15 +36,15 @@ static inline lanes_mask refract_some(lanes_f* normal, lanes_f along, const Surf
 }
 
 /* Moves the rays to their hits and gives them new directions; where they pass through a dielectric, changes sides. */
-static inline void scatter(Ray* ray, Sides* inside, const Hit* hit, const Surface* surface, const Vec* draw,
-                           uint two_sided) {
+static inline void scatter(Scene scene, Ray* ray, Sides* inside, const Hit* hit, const Surface* surface, const Vec* draw) {
     move_to_hit(ray, hit);
     const Vec from_centre = vec_sub(ray->origin, surface->centre);
     const lanes_f along = vec_dot(ray->direction, from_centre);
     lanes_f normal = surface->matte - surface->mirrored * along;
     const Vec base = vec_select(*draw, ray->direction, surface->mirrored > 0.0f);
     /* of many rays some is mostly at a dielectric, so there is no branch */
-    if (two_sided > 0u) change_sides(inside, hit_face(hit), two_sided, refract_some(&normal, along, surface, draw));
+    if (two_sided_spheres(scene) > 0u)
+        change_sides(scene, inside, hit_face(hit), refract_some(&normal, along, surface, draw));
     ray->direction = vec_normalize(vec_add_scaled(base, from_centre, normal));
 }
 

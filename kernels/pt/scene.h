@@ -56,27 +56,37 @@ typedef struct Scene {
 static inline uint two_sided_spheres(Scene scene) { return scene.count - scene.opaque; }
 
 /* Numbers of faces, as PtSurface orders them. */
-static inline lanes_u two_sided_face(uint number, lanes_u in) { return (lanes_u)(2u * number) | (in >> 31); }
 static inline uint opaque_face(Scene scene, uint sphere) { return 2u * two_sided_spheres(scene) + sphere; }
 static inline uint background(Scene scene) { return opaque_face(scene, scene.opaque); }
 
-/* Which two-sided spheres a path is inside: a bit each, from the top. Only transmission changes it. */
+/* Which two-sided spheres a path is inside: a bit each, from the top. Only transmission changes it. Of one that is alone,
+   the lowest bit tells so too. */
 typedef struct Sides {
     lanes_u word[PT_SIDE_WORDS];
 } Sides;
 
-/* A float's sign bit inside, else 0. */
-static inline lanes_u side_sign(const Sides* inside, uint number) {
+/* A float's sign bit inside, else 0; the lowest bit may be set too. */
+static inline lanes_u side_sign(Scene scene, const Sides* inside, uint number) {
+    if (two_sided_spheres(scene) == 1u) return inside->word[0];
     return (inside->word[number / 32u] << (number % 32u)) & LANES_SIGN;
 }
 
-/* Passes through a face of each lane's own, of `two_sided` spheres'. */
-static inline void change_sides(Sides* inside, lanes_u face, uint two_sided, lanes_mask through) {
-    const lanes_u number = two_sided == 1u ? (lanes_u)(0u) : face >> 1;
+static inline lanes_u two_sided_face(Scene scene, const Sides* inside, uint number) {
+    if (two_sided_spheres(scene) == 1u) return inside->word[0] & ~scene.distance_mask;
+    return (lanes_u)(2u * number) | (side_sign(scene, inside, number) >> 31);
+}
+
+/* Passes through a face of each lane's own. */
+static inline void change_sides(Scene scene, Sides* inside, lanes_u face, lanes_mask through) {
+    if (two_sided_spheres(scene) == 1u) {
+        inside->word[0] ^= lanes_select_u((lanes_u)(0u), (lanes_u)(0x80000001u), through);
+        return;
+    }
+    const lanes_u number = face >> 1;
     const lanes_u bit = (lanes_u)(0x80000000u) >> (number & 31u);
     for (uint i = 0; i < PT_SIDE_WORDS; ++i) {
         const lanes_mask here = PT_SIDE_WORDS == 1 ? through : through & ((number >> 5) == (lanes_u)(i));
-        inside->word[i] = lanes_select_u(inside->word[i], inside->word[i] ^ bit, here);
+        inside->word[i] ^= lanes_select_u((lanes_u)(0u), bit, here);
     }
 }
 

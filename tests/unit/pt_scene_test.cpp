@@ -69,7 +69,7 @@ TEST(PtScene, knows_the_zeros_of_centres_and_what_paths_start_with) {
     EXPECT_EQ(scene.zeros[0], 0b001u);
     EXPECT_EQ(scene.zeros[1], 0b110u);
     EXPECT_EQ(scene.zeros[2], 0b101u);
-    EXPECT_EQ(scene.camera_sides.front(), 0x80000000u) << "inside the glass";
+    EXPECT_EQ(scene.camera_sides.front(), 0x80000001u) << "inside the glass, which is alone";
     const auto start = std::bit_cast<PtStart>(scene.surfaces.back());
     EXPECT_EQ(start.position_side.z, -4.0f);
     EXPECT_EQ(std::bit_cast<std::uint32_t>(start.position_side.w), scene.camera_sides.front());
