@@ -26,7 +26,7 @@ struct Shape {
     PtRuns runs;  ///< the image depends on them, so on nothing but device, lanes, size and spp
 };
 
-constexpr std::uint64_t longest_round = 512;  ///< samples
+constexpr std::uint64_t longest_round = 512;  ///< samples, which the kernel counts in 16 bits
 
 /// A GPU wants all its resident lanes busy, and a dozen units each, or the last ones to finish keep it
 /// waiting. A CPU's thread takes units for as long as there are any, so a few items a core are enough.

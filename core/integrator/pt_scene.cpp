@@ -31,13 +31,15 @@ PtSurface face(const Sphere& sphere, const Material& material, bool inside) {
                         : mirror                         ? material.reflectance
                                                          : material.albedo;
     const double outwards = (inside ? -1 : 1) / sphere.radius;
-    const double eta = !dielectric ? std::numeric_limits<double>::quiet_NaN() : inside ? material.ior : 1 / material.ior;
+    const double eta = !dielectric ? std::numeric_limits<double>::quiet_NaN()
+                       : inside    ? material.ior
+                                   : 1 / material.ior;
     const double mirrored = !material.scatters ? -1 : mirror || dielectric ? 2 * outwards * outwards : 0;
     return {device_vector(sphere.centre, mirrored == 0 ? outwards : 0),
             device_vector(weight, eta * eta),
             device_vector(material.radiance),
-            {static_cast<float>(mirrored), static_cast<float>(outwards * eta), static_cast<float>(outwards / eta),
-             static_cast<float>(1 - eta * eta)},
+            {static_cast<float>(mirrored), static_cast<float>(outwards * eta),
+             static_cast<float>(outwards / eta), static_cast<float>(1 - eta * eta)},
             {}};
 }
 

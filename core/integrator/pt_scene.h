@@ -17,8 +17,8 @@ struct PtScene {
     PtFewSpheres few{};                    ///< the same spheres, up to PT_FEW_MOST of them
     std::vector<PtSurface> surfaces;       ///< one a face, the background's, and the bits of a PtStart
     std::array<std::uint32_t, 3> zeros{};  ///< x, y, z: bit i where the centre of few sphere i has a 0
-    std::vector<std::uint32_t>
-        camera_sides;  ///< bit j from the top: the camera is inside two-sided sphere j; at least one word; see pt/scene.h
+    /// Bit j from the top: the camera is inside two-sided sphere j; at least one word, see pt/scene.h.
+    std::vector<std::uint32_t> camera_sides;
     std::uint32_t opaque = 0, two_sided = 0;
 
     std::uint64_t faces() const { return surfaces.size() - 2; }

@@ -79,7 +79,7 @@ static inline lanes_i lanes_hold(lanes_i value) {
     return value;
 }
 
-/* The same for NVIDIA's compiler, which otherwise makes a value anew at every use instead of keeping it. */
+/* The same for NVIDIA's compiler, which otherwise makes a value anew at every use, or in another register to be copied. */
 static inline uint uint_hold(uint value) {
 #if PTB_PTX
     __asm__ volatile("" : "+r"(value));

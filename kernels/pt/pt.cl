@@ -57,7 +57,7 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
             COUNTED_LANES(alive, PT_SEGMENT_WORK(scene.count))
             COUNTED(two_sided_spheres(scene) > 0u ? counted_lanes(alive) : 0u, PT_REFRACTION_WORK)
             scatter(scene, &path.ray, &path.inside, &hit, &surface, &draw);
-            turn += 1u;
+            turn = uint_hold(turn + 1u);
             ends = surface.mirrored < 0.0f;
         } while (PT_BATCH > 1 && turn < stop && !lanes_any(ends));
         const lanes_mask full = lanes_hold(turn >= path.last_turn);
@@ -80,7 +80,7 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
                     COUNTED_LANES(alive & finished, PT_TAKE_WORK)
                     if (PTB_LANES == 1) turn = 0u;
                     alive &= !finished | take_units(&unit, finished, turn, queue, run_starts, &launch);
-                    }
+                }
                 refill(&spare, &unit, &launch);
             }
             spare.radiance = vec_select(spare.radiance, radiance, ended);

@@ -10,8 +10,8 @@ typedef struct Surface {
     Vec centre;
     lanes_f matte;
     Vec weight;
-    lanes_f eta_squared, less_eta_squared; /* and 1 - eta^2 */
-    lanes_f mirrored, before, beyond; /* outwards eta, and outwards / eta */
+    lanes_f eta_squared, less_eta_squared; /* the latter is 1 - eta^2 */
+    lanes_f mirrored, before, beyond;      /* outwards eta, outwards / eta */
 } Surface;
 
 /* How a lane reaches its own row: with few spheres the rows lie in registers, a table a field, and one permute serves all

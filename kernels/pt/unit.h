@@ -34,19 +34,19 @@ static inline Vec gathered_radiance(const Path* path, const Surfaces* surfaces, 
 #endif
 }
 
-#define PT_FULL_LENGTH 0x10000u
-
 /* The unit each lane works on, and its sums so far. */
 typedef struct Unit {
     lanes_u number;
     lanes_u pixel_hash;
     lanes_f column, row; /* of its pixel, less 1, since random numbers begin there */
     lanes_u sample, end; /* the next one to start, and the one after the last */
-    lanes_u counts; /* its samples, below 2^16; times 2^16, its paths of full length */
+    lanes_u counts; /* its samples, below 2^16, and PT_FULL_LENGTH times its paths of full length */
     lanes_u taken; /* units so far */
     lanes_u first_turn;
     Vec sum, squares;
 } Unit;
+
+#define PT_FULL_LENGTH 0x10000u
 
 /* The next sample of a lane's unit, ready to start. A camera ray costs as much as half a bounce for however few lanes; so
    all lanes that lack one get theirs together, once a lane needs what it has not. */
@@ -141,9 +141,9 @@ static inline void write_units(const Unit* unit, lanes_mask finished, uint turn,
         tally.radiance = (float4)(LANE(unit->sum.x, lane), LANE(unit->sum.y, lane), LANE(unit->sum.z, lane), 0.0f);
         tally.squares =
             (float4)(LANE(unit->squares.x, lane), LANE(unit->squares.y, lane), LANE(unit->squares.z, lane), 0.0f);
-        tally.samples = LANE(unit->counts, lane) & 0xffffu;
+        tally.samples = LANE(unit->counts, lane) % PT_FULL_LENGTH;
         tally.segments = turn - LANE(unit->first_turn, lane);
-        tally.full_length_paths = LANE(unit->counts, lane) >> 16;
+        tally.full_length_paths = LANE(unit->counts, lane) / PT_FULL_LENGTH;
         tally.padding = 0u;
         tallies[LANE(unit->number, lane)] = tally;
     }

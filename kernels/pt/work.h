@@ -59,7 +59,7 @@
 #if defined(PT_FILTER) && PT_FILTER == PT_CENTRE
 #define PT_PLACE_FLOPS 2u
 #elif defined(PT_FILTER) && PT_FILTER == PT_STRATIFIED
-#define PT_PLACE_FLOPS 10u
+#define PT_PLACE_FLOPS 11u
 #else
 #define PT_PLACE_FLOPS 2u
 #endif
@@ -86,7 +86,7 @@
     (PT_END_FLOPS + 9u + PT_PLACE_FLOPS + 12u + PT_NORMALIZE_FLOPS), PT_RSQRT_ROOTS, PT_RSQRT_DIVISIONS, \
         PT_SURFACE_BYTES(12u)
 /* A look for a unit, of use or not: its place, and its run. */
-#define PT_TAKE_WORK 2u, 0u, 0u, 2u * (uint)sizeof(uint)
+#define PT_TAKE_WORK 4u, 0u, 0u, 2u * (uint)sizeof(uint)
 /* A unit: its tally. */
 #define PT_UNIT_WORK 0u, 0u, 0u, (uint)sizeof(PtTally)
 /* A tally added to a pixel, of colours of so many numbers (1 counts vectors' instructions), and a pixel of the film. */
