@@ -80,6 +80,7 @@ PtScene make_pt_scene(const Scene& scene) {
         spheres.begin(), spheres.end(), [&](const Sphere& sphere) { return !is_two_sided(scene, sphere); });
     result.opaque = static_cast<std::uint32_t>(first_two_sided - spheres.begin());
     result.two_sided = static_cast<std::uint32_t>(spheres.size()) - result.opaque;
+    const bool one_is_two_sided = result.two_sided == 1 && result.is_few();
     result.camera_sides.resize(std::max(1u, (result.two_sided + 31) / 32));
     for (std::uint32_t i = 0; i < spheres.size(); ++i) {
         const Sphere& sphere = spheres[i];
@@ -96,7 +97,7 @@ PtScene make_pt_scene(const Scene& scene) {
         result.surfaces.push_back(face(sphere, material, false));
         result.surfaces.push_back(face(sphere, material, true));
         const std::uint32_t number = i - result.opaque;
-        const std::uint32_t bit = result.two_sided == 1 ? 0x80000001u : 0x80000000u >> number % 32;
+        const std::uint32_t bit = one_is_two_sided ? 0x80000001u : 0x80000000u >> number % 32;
         if (camera_inside(scene, sphere)) result.camera_sides[number / 32] |= bit;
     }
     result.surfaces.insert(result.surfaces.end(), opaque.begin(), opaque.end());

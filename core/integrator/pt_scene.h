@@ -21,7 +21,7 @@ struct PtScene {
     std::vector<std::uint32_t> camera_sides;
     std::uint32_t opaque = 0, two_sided = 0;
 
-    std::uint64_t faces() const { return surfaces.size() - 2; }
+    std::uint64_t faces() const { return opaque + 2 * two_sided; }
     bool is_few() const { return faces() <= PT_FEW_MOST; }
     std::uint64_t bytes() const {
         return spheres.size() * sizeof(PtSphere) + surfaces.size() * sizeof(PtSurface);

@@ -59,26 +59,36 @@ static inline uint two_sided_spheres(Scene scene) { return scene.count - scene.o
 static inline uint opaque_face(Scene scene, uint sphere) { return 2u * two_sided_spheres(scene) + sphere; }
 static inline uint background(Scene scene) { return opaque_face(scene, scene.opaque); }
 
-/* Which two-sided spheres a path is inside: a bit each, from the top. Only transmission changes it. Of one that is alone,
-   the lowest bit tells so too. */
+/* One two-sided sphere among few: the most common scene. */
+static inline bool one_is_two_sided(Scene scene) {
+#ifdef PT_FEW
+    return two_sided_spheres(scene) == 1u;
+#else
+    (void)scene;
+    return false;
+#endif
+}
+
+/* Which two-sided spheres a path is inside: a bit each, from the top. Only transmission changes it. If one of few is
+   two-sided, the lowest bit tells so too, which is its face's number. */
 typedef struct Sides {
     lanes_u word[PT_SIDE_WORDS];
 } Sides;
 
 /* A float's sign bit inside, else 0; the lowest bit may be set too. */
 static inline lanes_u side_sign(Scene scene, const Sides* inside, uint number) {
-    if (two_sided_spheres(scene) == 1u) return inside->word[0];
+    if (one_is_two_sided(scene)) return inside->word[0];
     return (inside->word[number / 32u] << (number % 32u)) & LANES_SIGN;
 }
 
 static inline lanes_u two_sided_face(Scene scene, const Sides* inside, uint number) {
-    if (two_sided_spheres(scene) == 1u) return inside->word[0] & ~scene.distance_mask;
+    if (one_is_two_sided(scene)) return inside->word[0] & ~scene.distance_mask;
     return (lanes_u)(2u * number) | (side_sign(scene, inside, number) >> 31);
 }
 
 /* Passes through a face of each lane's own. */
 static inline void change_sides(Scene scene, Sides* inside, lanes_u face, lanes_mask through) {
-    if (two_sided_spheres(scene) == 1u) {
+    if (one_is_two_sided(scene)) {
         inside->word[0] ^= lanes_select_u((lanes_u)(0u), (lanes_u)(0x80000001u), through);
         return;
     }
