@@ -135,10 +135,10 @@ static inline void offer_two_sided(Hit* hit, Scene scene, const Line* line, cons
     for (uint i = scene.opaque; i < scene.count; ++i) {
         const Quadratic e = quadratic_of(scene.spheres[i].centre_k, i, line, ray, hit);
         /* inside |d|, and the greater distance */
-        const lanes_u in = side_sign(scene, inside, i - scene.opaque);
+        const lanes_u side = side_of(scene, inside, i - scene.opaque), in = side_sign(scene, side);
         const lanes_f root = lanes_sqrt(lanes_as_f(lanes_as_u(e.d) & ~in));
         const lanes_f distance = e.b + lanes_as_f(lanes_as_u(root) ^ in ^ LANES_SIGN);
-        hit_offer(hit, distance, two_sided_face(scene, inside, i - scene.opaque), scene.distance_mask);
+        hit_offer(hit, distance, two_sided_face(scene, i - scene.opaque, side), scene.distance_mask);
     }
 }
 

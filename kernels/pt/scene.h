@@ -75,15 +75,17 @@ typedef struct Sides {
     lanes_u word[PT_SIDE_WORDS];
 } Sides;
 
-/* A float's sign bit inside, else 0; the lowest bit may be set too. */
-static inline lanes_u side_sign(Scene scene, const Sides* inside, uint number) {
+/* Its lowest bit is set inside. */
+static inline lanes_u side_of(Scene scene, const Sides* inside, uint number) {
     if (one_is_two_sided(scene)) return inside->word[0];
-    return (inside->word[number / 32u] << (number % 32u)) & LANES_SIGN;
+    return inside->word[number / 32u] >> (31u - number % 32u);
 }
 
-static inline lanes_u two_sided_face(Scene scene, const Sides* inside, uint number) {
-    if (one_is_two_sided(scene)) return inside->word[0] & ~scene.distance_mask;
-    return (lanes_u)(2u * number) | (side_sign(scene, inside, number) >> 31);
+/* A float's sign bit inside, else 0; the lowest bit may be set too. */
+static inline lanes_u side_sign(Scene scene, lanes_u side) { return one_is_two_sided(scene) ? side : side << 31; }
+
+static inline lanes_u two_sided_face(Scene scene, uint number, lanes_u side) {
+    return (lanes_u)(2u * number) | (side & (one_is_two_sided(scene) ? ~scene.distance_mask : 1u));
 }
 
 /* Passes through a face of each lane's own. */
