@@ -67,19 +67,19 @@ void append_work(Grid& grid, const ResultFile& result, const std::vector<Record>
         return a.statistics->median_ns < b.statistics->median_ns;
     };
     const auto [fast, slow] = std::minmax_element(same.begin(), same.end(), by_time);
-    const double fastest = fast->statistics->median_ns, slowest = slow->statistics->median_ns;
+    const Statistics fastest = *fast->statistics;
+    const double slowest = slow->statistics->median_ns;
     for (const Record& record : same) {
         const Case& c = record.params;
         const double ns = record.statistics->median_ns;
-        const bool best = ns == fastest && same.size() > 1;
-        if (best) grid.best.insert(grid.rows.size());
+        const std::string mark = same.size() > 1 ? mark_text(*record.statistics, fastest) : "";
+        if (!mark.empty()) grid.best.insert(grid.rows.size());
         auto& row = grid.rows.emplace_back(
             std::vector<std::string>{c.kernel, to_string(c.size), std::to_string(c.spp)});
         append_axes(row, c, axes);
         for (const std::string& cell :
              {device_of(result, c.device).type, device_label(result, c.device), unit.text(ns),
-              fmt::format("{:.2f}", slowest / ns), fmt::format("{:.3f}", fastest / ns),
-              std::string(best ? "fastest" : "")})
+              fmt::format("{:.2f}", slowest / ns), fmt::format("{:.3f}", fastest.median_ns / ns), mark})
             row.push_back(cell);
     }
 }
@@ -104,7 +104,8 @@ Section devices_section(const ResultFile& result) {
         group_by_type(result, works[work]);
         append_work(section.grid, result, works[work], axes, unit);
     }
-    section.notes = {"x slowest: times as fast as the slowest device at the same work; implicit work-groups"};
+    section.notes = {"x slowest: times as fast as the slowest device at the same work; implicit work-groups",
+                     "as fast: its 95 % interval overlaps with that of the fastest"};
     return section;
 }
 

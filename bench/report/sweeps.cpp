@@ -39,13 +39,13 @@ std::vector<Sweep> all_sweeps(const ResultFile& result, const std::string& axis)
     return sweeps;
 }
 
-std::optional<double> fastest_ns(const ResultFile& result, const Sweep& sweep) {
-    std::optional<double> fastest;
+/// Null where no case has a time.
+const Statistics* fastest_of(const ResultFile& result, const Sweep& sweep) {
+    const Statistics* fastest = nullptr;
     for (const std::size_t i : sweep.cases) {
         const Record& record = result.cases[i];
-        if (!timed(record)) continue;
-        const double ns = record.statistics->median_ns;
-        fastest = std::min(fastest.value_or(ns), ns);
+        if (timed(record) && (!fastest || record.statistics->median_ns < fastest->median_ns))
+            fastest = &*record.statistics;
     }
     return fastest;
 }
@@ -62,7 +62,7 @@ std::vector<Sweep> shown_sweeps(const ResultFile& result, const std::string& axi
     using Work = std::tuple<std::string, std::string, Size>;
     const auto work = [](const Sweep& s) { return Work(s.rest.device, s.rest.kernel, s.rest.size); };
     auto sweeps = all_sweeps(result, axis);
-    std::erase_if(sweeps, [&](const Sweep& s) { return s.cases.size() < 2 || !fastest_ns(result, s); });
+    std::erase_if(sweeps, [&](const Sweep& s) { return s.cases.size() < 2 || !fastest_of(result, s); });
     std::map<Work, std::pair<int, int>> best;
     for (const Sweep& sweep : sweeps) {
         const auto [found, added] = best.emplace(work(sweep), rank(sweep));
@@ -79,7 +79,7 @@ std::vector<Record> records_of(const ResultFile& result, const std::vector<Sweep
     return records;
 }
 
-std::vector<std::string> cells(const ResultFile& result, const Record& record, double fastest,
+std::vector<std::string> cells(const ResultFile& result, const Record& record, const Statistics& fastest,
                                const TimeUnit& unit) {
     const Case& c = record.params;
     std::vector<std::string> row = {device_label(result, c.device), c.kernel, to_string(c.size),
@@ -88,19 +88,18 @@ std::vector<std::string> cells(const ResultFile& result, const Record& record, d
         to_string(record.status) + (record.reason.empty() ? "" : ": " + record.reason);
     if (!timed(record)) return row.insert(row.end(), {"-", "-", "0", outcome}), row;
     const double ns = record.statistics->median_ns;
-    const std::string mark = ns == fastest ? "fastest" : "";
-    row.insert(row.end(),
-               {unit.text(ns), fmt::format("{:.3f}", ns / fastest), fmt::format("{:.3f}", fastest / ns),
-                record.status == Status::ok ? mark : outcome});
+    row.insert(row.end(), {unit.text(ns), fmt::format("{:.3f}", ns / fastest.median_ns),
+                           fmt::format("{:.3f}", fastest.median_ns / ns),
+                           record.status == Status::ok ? mark_text(*record.statistics, fastest) : outcome});
     return row;
 }
 
 void append_sweep(Section& section, const ResultFile& result, const Sweep& sweep,
                   const std::vector<std::string>& axes, const TimeUnit& unit) {
-    const double fastest = fastest_ns(result, sweep).value_or(0);
+    const Statistics& fastest = *fastest_of(result, sweep);
     for (const std::size_t i : sweep.cases) {
         const Record& record = result.cases[i];
-        if (timed(record) && record.statistics->median_ns == fastest)
+        if (timed(record) && !mark_text(*record.statistics, fastest).empty())
             section.grid.best.insert(section.grid.rows.size());
         auto row = cells(result, record, fastest, unit);
         std::vector<std::string> values;
@@ -130,10 +129,12 @@ Section sweep_section(const ResultFile& result, const std::string& axis) {
                                  Column{"speed", false, 0, true}, Column{""}})
         section.grid.columns.push_back(column);
     for (const Sweep& sweep : sweeps) append_sweep(section, result, sweep, axes, unit);
-    section.notes = {fmt::format(
-        "x fastest: time by {0} over the shortest of cases that differ in nothing else; of each device, "
-        "kernel and size those with the fewest other settings changed, at the most samples per pixel",
-        axis)};
+    section.notes = {
+        fmt::format(
+            "x fastest: time by {0} over the shortest of cases that differ in nothing else; of each device, "
+            "kernel and size those with the fewest other settings changed, at the most samples per pixel",
+            axis),
+        "as fast: its 95 % interval overlaps with that of the fastest"};
     return section;
 }
 

@@ -44,6 +44,12 @@ std::string spread_text(const Statistics& s) {
     return s.n >= 3 && std::isfinite(s.mad_ns) ? fmt::format("~{}", percent(s.mad_ns)) : "-";
 }
 
+std::string mark_text(const Statistics& statistics, const Statistics& fastest) {
+    if (statistics.median_ns == fastest.median_ns) return "fastest";
+    const bool known = statistics.ci_low_ns && fastest.ci_high_ns;
+    return known && *statistics.ci_low_ns <= *fastest.ci_high_ns ? "as fast" : "";
+}
+
 DeviceInfo device_of(const ResultFile& result, const std::string& key) {
     for (const DeviceInfo& device : result.devices)
         if (device.key == key) return device;

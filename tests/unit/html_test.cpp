@@ -65,6 +65,9 @@ TEST(Html, two_dimensional_work_groups_are_a_map_with_the_fastest_marked) {
     EXPECT_THAT(work_group_maps(f), AllOf(HasSubstr("<td class=\"n shade-0\">4.000 (fastest)</td>"),
                                           HasSubstr("<td class=\"n shade-2\">5.000</td><td>-</td>"),
                                           HasSubstr("<td class=\"n shade-7\">8.000</td>")));
+    f.cases[1].statistics->ci_high_ns = 5.2e6;
+    f.cases[2].statistics->ci_low_ns = 4.9e6;
+    EXPECT_THAT(work_group_maps(f), HasSubstr("5.000 (as fast)</td>"));
     f.cases.pop_back();
     EXPECT_EQ(work_group_maps(f), "") << "two sizes are no map";
 }

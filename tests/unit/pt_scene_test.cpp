@@ -102,9 +102,9 @@ TEST(PtRuns, cover_all_samples_in_rounds_of_ever_shorter_runs) {
 TEST(PtRuns, are_single_samples_where_lanes_are_many_and_never_longer_than_a_device_allows) {
     EXPECT_EQ(make_pt_runs(7, 1, 256).count(), 7u);
     EXPECT_EQ(make_pt_runs(1, 1000, 256).count(), 1u);
-    EXPECT_EQ(make_pt_runs(1000, 1000, 3).longest(), 2u);
-    const PtRuns few = make_pt_runs(5, 1000, 512);
-    EXPECT_EQ(few.starts, (std::vector<std::uint32_t>{0, 3, 4, 5}));
+    EXPECT_EQ(make_pt_runs(1000, 1000, 3).longest(), 3u);
+    EXPECT_EQ(make_pt_runs(5, 24, 512).starts, (std::vector<std::uint32_t>{0, 3, 4, 5}));
+    EXPECT_EQ(make_pt_runs(5, 25, 512).count(), 1u) << "as short as the last one of a round";
 }
 
 }  // namespace

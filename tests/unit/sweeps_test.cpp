@@ -69,6 +69,19 @@ TEST_P(EachAxis, gets_a_table_of_relative_times_with_the_fastest_marked) {
     EXPECT_THAT(sections[0].grid.best, ElementsAre(1));
 }
 
+TEST(Sweeps, nobody_is_the_fastest_alone_where_intervals_overlap) {
+    ResultFile f;
+    f.cases = {with("path_length", "5", 8), with("path_length", "6", 4), with("path_length", "7", 4.01)};
+    for (Record& record : f.cases) {
+        record.statistics->ci_low_ns = record.statistics->median_ns * 0.99;
+        record.statistics->ci_high_ns = record.statistics->median_ns * 1.01;
+    }
+    const auto sections = sweep_sections(f);
+    ASSERT_EQ(sections.size(), 1u);
+    EXPECT_THAT(column(sections[0], ""), ElementsAre("", "fastest", "as fast"));
+    EXPECT_THAT(sections[0].grid.best, ElementsAre(1, 2));
+}
+
 TEST_P(EachAxis, is_a_column_of_tables_only_where_it_varies) {
     const std::string usual = case_value(default_case(), GetParam());
     ResultFile f;

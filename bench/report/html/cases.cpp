@@ -25,7 +25,7 @@ std::string outcome_text(const Record& record) {
 }
 
 /// Times by work-group of cases that are otherwise the same; of each work that with the most samples.
-using Map = std::map<WorkGroup, double>;
+using Map = std::map<WorkGroup, Statistics>;
 
 std::map<Case, Map> maps_of(const ResultFile& result) {
     std::map<Case, Map> maps;
@@ -33,7 +33,7 @@ std::map<Case, Map> maps_of(const ResultFile& result) {
         if (!timed(record) || !record.params.work_group.two_dimensional()) continue;
         Case c = record.params;
         c.work_group = {};
-        maps[c][record.params.work_group] = record.statistics->median_ns;
+        maps[c][record.params.work_group] = *record.statistics;
     }
     const auto fewer_samples = [&](const Case& c) {
         return std::any_of(maps.begin(), maps.end(), [&](const auto& other) {
@@ -53,27 +53,29 @@ int shade(double ns, double fastest) {
     return std::clamp(static_cast<int>((ns / fastest - 1) * shades), 0, shades - 1);
 }
 
-std::string map_cell(const Map& map, WorkGroup group, double fastest) {
+std::string map_cell(const Map& map, WorkGroup group, const Statistics& fastest) {
     const auto found = map.find(group);
     if (found == map.end()) return "<td>-</td>";
-    const double ns = found->second;
-    return fmt::format("<td class=\"n shade-{}\">{}{}</td>", shade(ns, fastest), number_text(ms(ns)),
-                       ns == fastest ? " (fastest)" : "");
+    const double ns = found->second.median_ns;
+    const std::string mark = mark_text(found->second, fastest);
+    return fmt::format("<td class=\"n shade-{}\">{}{}</td>", shade(ns, fastest.median_ns),
+                       number_text(ms(ns)), mark.empty() ? "" : " (" + mark + ")");
 }
 
 std::string map_table(const ResultFile& result, const Case& c, const Map& map) {
     std::set<int> widths, heights;
-    double fastest = map.begin()->second;
-    for (const auto& [group, ns] : map) {
+    const auto fastest = std::min_element(map.begin(), map.end(), [](const auto& a, const auto& b) {
+        return a.second.median_ns < b.second.median_ns;
+    });
+    for (const auto& [group, statistics] : map) {
         widths.insert(group.x);
         heights.insert(group.y);
-        fastest = std::min(fastest, ns);
     }
     std::string head, body;
     for (const int x : widths) head += fmt::format("<th scope=\"col\" class=\"n\">{}</th>", x);
     for (const int y : heights) {
         body += fmt::format("<tr><th scope=\"row\" class=\"n\">{}</th>", y);
-        for (const int x : widths) body += map_cell(map, {x, y}, fastest);
+        for (const int x : widths) body += map_cell(map, {x, y}, fastest->second);
         body += "</tr>\n";
     }
     const std::string caption = fmt::format("work-groups of {}, {}: ms, widths across, heights down",
