@@ -24,13 +24,18 @@ libjs-chart.js          charts in reports
 '
 
 # shellcheck disable=SC2034 # used by test.sh
-PACKAGES_TO_TEST="$PACKAGES_TO_BUILD
-git                     the tree that lint reads
+PACKAGES_TO_BUILD_TESTS="$PACKAGES_TO_BUILD
 libbenchmark-dev        micro-benchmarks
 libgtest-dev            test framework
 libgmock-dev            test framework
 locales                 a locale whose numbers have commas
 python3                 tests of the command line
+clang-14                sanitizers; lint: compiles every kernel
+"
+
+# shellcheck disable=SC2034
+PACKAGES_TO_TEST="$PACKAGES_TO_BUILD_TESTS
+git                     the tree that lint reads
 python3-jsonschema      tests of the schemas
 chromium                tests of reports
 libbenchmark-tools      a reader of reports: compare.py
@@ -39,7 +44,6 @@ python3-pandas          a reader of reports
 python3-junitparser     a reader of reports
 oclgrind                races and bad accesses in kernels
 mesa-opencl-icd         a second OpenCL driver
-clang-14                lint: compiles every kernel
 clang-tidy-14           lint: C++
 clang-format-14         lint: layout
 shellcheck              lint: scripts

@@ -9,7 +9,9 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # shellcheck source=scripts/packages.sh
 . "$root/scripts/packages.sh"
 
-install_missing "$PACKAGES_TO_TEST"
+install_missing "$PACKAGES_TO_BUILD_TESTS"
+install_missing "$PACKAGES_TO_TEST" & # arrives while the tests are built
+installing=$!
 cd "$root"
 
 # Everything is built, so folders are compiled at once.
@@ -27,5 +29,6 @@ quietly cmake --preset release -DPTBENCH_TESTS=ON -DPTBENCH_MICRO=ON "-DPTBENCH_
     "${options[@]}" ${strict[@]+"${strict[@]}"}
 cmake --build build/release
 if [ -n "$sanitized" ]; then cmake --build build/asan --target unit_tests ptbench; fi
+wait "$installing"
 
 exec ctest --test-dir build/release --output-on-failure --parallel "$(nproc)" "$@"

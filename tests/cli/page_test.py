@@ -145,6 +145,25 @@ class Page(unittest.TestCase):
         self.assertEqual(column("time ms"), ["269815"])
         self.assertEqual(texts("#times output"), ["1 of 15 rows"])
 
+    def test_a_legend_wraps_on_a_phone_and_its_buttons_hide_lines_with_their_fits(self):
+        def name(result):
+            for device in result["devices"]:
+                device["name"] = f"{device['key']} of a rather long name that takes more than one line of a phone"
+        show(page_of("report", variant("long", name)), 380)
+        self.assertLessEqual(BROWSER.evaluate("document.documentElement.scrollWidth"), 380)
+        cut = "[...document.querySelectorAll('.legend li')].some((li) => li.scrollWidth > li.parentNode.clientWidth)"
+        self.assertFalse(BROWSER.evaluate(cut))
+        visible = """(() => { const chart = Chart.getChart(document.querySelectorAll('#charts canvas')[1]);
+            return chart.data.datasets.map((set, i) => [set.label !== '', chart.isDatasetVisible(i)]); })()"""
+        press = "document.querySelectorAll('#charts figure')[1].querySelector('.legend button').click()"
+        self.assertEqual(BROWSER.evaluate(visible), [[True, True], [False, True]] * 2)
+        BROWSER.evaluate(press)
+        self.assertEqual(BROWSER.evaluate(visible), [[True, False], [False, False], [True, True], [False, True]])
+        self.assertEqual(BROWSER.evaluate("document.querySelectorAll('.legend [aria-pressed=false]').length"), 1)
+        BROWSER.screenshot(SHOTS / "legend.png")
+        BROWSER.evaluate(press)
+        self.assertEqual(BROWSER.evaluate(visible), [[True, True], [False, True]] * 2)
+
     def test_a_row_leads_to_its_case_which_unfolds(self):
         show(SCRATCH.work / "page.html")
         BROWSER.evaluate("document.querySelectorAll('#times td a')[1].click()")

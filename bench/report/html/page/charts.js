@@ -66,15 +66,31 @@ function drawIn(place) {
   for (const figure of place.querySelectorAll('figure')) figure.draw?.();
 }
 
-/** Lines that a legend takes in a chart as wide as a phone: a place grows by them. */
-const legendLines = (sets) => (sets.length > 2 ? Math.ceil(sets.reduce((sum, {label}) => sum + label.length + 6, 0) / 50) : 0);
+/** Shows or hides a data set, and those without a name that follow it. */
+function toggle(canvas, sets, i, button) {
+  const hidden = !sets[i].hidden;
+  for (let j = i; j === i || sets[j]?.label === ''; j += 1) sets[j].hidden = hidden;
+  button.ariaPressed = String(!hidden);
+  Chart.getChart(canvas).update();
+}
+
+/** What the colours mean, as text that wraps and buttons that work with a keyboard. */
+function legend(canvas, sets) {
+  const entry = ({label, borderColor, backgroundColor, pointStyle}, i) => {
+    const mark = element('span', {style: `color: ${backgroundColor ?? borderColor}`}, pointStyle === 'triangle' ? '▲' : '●');
+    const button = element('button', {type: 'button', 'aria-pressed': 'true'}, mark, ` ${label}`);
+    button.addEventListener('click', () => toggle(canvas, sets, i, button));
+    return label === '' ? [] : [element('li', {}, button)];
+  };
+  const entries = sets.flatMap(entry);
+  return entries.length > 1 ? [element('ul', {class: 'legend'}, ...entries)] : [];
+}
 
 /** A chart in a figure, to be drawn. `words` are its caption and, where no other is given, its text alternative. */
 function chartFigure(config, words, className = '', spokenWords = words) {
   const canvas = element('canvas', {role: 'img', 'aria-label': spokenWords});
-  const style = `--legend: ${legendLines(config.data.datasets)}`;
-  const figure = element('figure', {}, element('div', {class: `canvas ${className}`, style}, canvas),
-    element('figcaption', {}, words));
+  const figure = element('figure', {}, element('div', {class: `canvas ${className}`}, canvas),
+    ...legend(canvas, config.data.datasets), element('figcaption', {}, words));
   config.options = {animation: false, maintainAspectRatio: false, ...config.options};
   config.plugins = [intervals, ...config.plugins ?? []];
   figure.draw = () => { Chart.getChart(canvas)?.destroy(); new Chart(canvas, config); };
@@ -87,9 +103,8 @@ function lineChart(all, x, y, point, words, extra = () => []) {
     {label: name, data: points.map(point), borderColor: colour(i), backgroundColor: colour(i)},
     ...extra(points, i)]);
   const left = all.length - shown.length;
-  const legend = {display: datasets.length > 1, labels: {boxWidth: 12, filter: (item) => item.text !== ''}};
   const more = left > 0 ? ` The first ${mostSeries} of ${all.length} series; the table has all.` : '';
-  return chartFigure({type: 'line', data: {datasets}, options: {scales: {x, y}, plugins: {legend}}}, words + more);
+  return chartFigure({type: 'line', data: {datasets}, options: {scales: {x, y}}}, words + more);
 }
 
 const bySpp = (a, b) => a.spp - b.spp;
@@ -163,8 +178,7 @@ function stripFigure(record, samples) {
     `SPP ${record.params.spp}: ${Math.min(...times).toPrecision(4)} to ${Math.max(...times).toPrecision(4)} ms, ` +
     `${flagged} flagged${flagged ? ` (${causes.filter(Boolean).join(', ')})` : ''}.`;
   const scales = {x: axis('linear', 'time, ms'), y: axis('linear', 'sample')};
-  const plugins = {legend: {display: flagged > 0, labels: {usePointStyle: true}}};
-  return chartFigure({type: 'scatter', data: {datasets}, options: {scales, plugins}}, words, 'strip');
+  return chartFigure({type: 'scatter', data: {datasets}, options: {scales}}, words, 'strip');
 }
 
 /** The strip of one case at a time. */
@@ -193,6 +207,7 @@ function themeCharts() {
 }
 
 function setUpCharts(runs) {
+  Chart.defaults.plugins.legend.display = false;
   themeCharts();
   const points = timedPoints(runs);
   const figures = [...sppChart(points), ...scalingChart(points, runs), ...workGroupChart(points), ...historyChart(points),

@@ -49,8 +49,7 @@ function rooflineOf(run, {device, peaks}) {
   const words = `Roofline of ${device}, ${name}: at most ${fma.toPrecision(3)} GFLOP/s and ${global.toPrecision(3)} ` +
     `GB/s, measured. ${kernels.map((kernel) => placeText(points, kernel)).join('. ')}. ` +
     'Bytes are what kernels ask for: what caches give can lift a point above the slope.';
-  const plugins = {legend: {labels: {boxWidth: 12}}};
-  return [chartFigure({type: 'scatter', data: {datasets}, options: {scales, plugins}}, words)];
+  return [chartFigure({type: 'scatter', data: {datasets}, options: {scales}}, words)];
 }
 
 function rooflineCharts(runs) {

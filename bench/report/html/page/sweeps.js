@@ -59,8 +59,7 @@ function sweepChart(axisName, points) {
   const words = `Time by ${axisName}, as a multiple of the fastest of each series, which has a star; lines are the ` +
     `medians’ 95 % intervals.${[...new Set(lost)].join('')}`;
   const scales = {x: {...axis('category', axisName), labels}, y: {...axis('linear', 'time / shortest time'), min: 0, grace: '8%'}};
-  const plugins = {legend: {display: datasets.length > 1, labels: {boxWidth: 12}}};
-  return chartFigure({type: 'bar', data: {datasets}, options: {scales, plugins}, plugins: [stars]}, words, '',
+  return chartFigure({type: 'bar', data: {datasets}, options: {scales}, plugins: [stars]}, words, '',
     `${words} ${all.map(spoken).join('; ')}.`);
 }
 
