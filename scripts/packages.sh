@@ -25,6 +25,7 @@ libjs-chart.js          charts in reports
 
 # shellcheck disable=SC2034 # used by test.sh
 PACKAGES_TO_BUILD_TESTS="$PACKAGES_TO_BUILD
+git                     the revision that results name
 libbenchmark-dev        micro-benchmarks
 libgtest-dev            test framework
 libgmock-dev            test framework
@@ -34,8 +35,7 @@ clang-14                sanitizers; lint: compiles every kernel
 "
 
 # shellcheck disable=SC2034
-PACKAGES_TO_TEST="$PACKAGES_TO_BUILD_TESTS
-git                     the tree that lint reads
+PACKAGES_TO_RUN_TESTS="
 python3-jsonschema      tests of the schemas
 chromium                tests of reports
 libbenchmark-tools      a reader of reports: compare.py

@@ -10,8 +10,9 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 . "$root/scripts/packages.sh"
 
 install_missing "$PACKAGES_TO_BUILD_TESTS"
-install_missing "$PACKAGES_TO_TEST" & # arrives while the tests are built
+install_missing "$PACKAGES_TO_RUN_TESTS" & # arrive while the tests are built
 installing=$!
+trap 'wait "$installing" || true' EXIT # never leaves apt alone
 cd "$root"
 
 # Everything is built, so folders are compiled at once.

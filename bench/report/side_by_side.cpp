@@ -67,12 +67,12 @@ void append_work(Grid& grid, const ResultFile& result, const std::vector<Record>
         return a.statistics->median_ns < b.statistics->median_ns;
     };
     const auto [fast, slow] = std::minmax_element(same.begin(), same.end(), by_time);
-    const Statistics fastest = *fast->statistics;
+    const Statistics& fastest = *fast->statistics;
     const double slowest = slow->statistics->median_ns;
     for (const Record& record : same) {
         const Case& c = record.params;
         const double ns = record.statistics->median_ns;
-        const std::string mark = same.size() > 1 ? mark_text(*record.statistics, fastest) : "";
+        const std::string mark = same.size() > 1 ? mark_text(record, fastest) : "";
         if (!mark.empty()) grid.best.insert(grid.rows.size());
         auto& row = grid.rows.emplace_back(
             std::vector<std::string>{c.kernel, to_string(c.size), std::to_string(c.spp)});
@@ -105,7 +105,7 @@ Section devices_section(const ResultFile& result) {
         append_work(section.grid, result, works[work], axes, unit);
     }
     section.notes = {"x slowest: times as fast as the slowest device at the same work; implicit work-groups",
-                     "as fast: its 95 % interval overlaps with that of the fastest"};
+                     mark_note};
     return section;
 }
 

@@ -90,7 +90,7 @@ std::vector<std::string> cells(const ResultFile& result, const Record& record, c
     const double ns = record.statistics->median_ns;
     row.insert(row.end(), {unit.text(ns), fmt::format("{:.3f}", ns / fastest.median_ns),
                            fmt::format("{:.3f}", fastest.median_ns / ns),
-                           record.status == Status::ok ? mark_text(*record.statistics, fastest) : outcome});
+                           record.status == Status::ok ? mark_text(record, fastest) : outcome});
     return row;
 }
 
@@ -99,7 +99,7 @@ void append_sweep(Section& section, const ResultFile& result, const Sweep& sweep
     const Statistics& fastest = *fastest_of(result, sweep);
     for (const std::size_t i : sweep.cases) {
         const Record& record = result.cases[i];
-        if (timed(record) && !mark_text(*record.statistics, fastest).empty())
+        if (timed(record) && !mark_text(record, fastest).empty())
             section.grid.best.insert(section.grid.rows.size());
         auto row = cells(result, record, fastest, unit);
         std::vector<std::string> values;
@@ -134,7 +134,7 @@ Section sweep_section(const ResultFile& result, const std::string& axis) {
             "x fastest: time by {0} over the shortest of cases that differ in nothing else; of each device, "
             "kernel and size those with the fewest other settings changed, at the most samples per pixel",
             axis),
-        "as fast: its 95 % interval overlaps with that of the fastest"};
+        mark_note};
     return section;
 }
 

@@ -44,10 +44,11 @@ std::string spread_text(const Statistics& s) {
     return s.n >= 3 && std::isfinite(s.mad_ns) ? fmt::format("~{}", percent(s.mad_ns)) : "-";
 }
 
-std::string mark_text(const Statistics& statistics, const Statistics& fastest) {
-    if (statistics.median_ns == fastest.median_ns) return "fastest";
-    const bool known = statistics.ci_low_ns && fastest.ci_high_ns;
-    return known && *statistics.ci_low_ns <= *fastest.ci_high_ns ? "as fast" : "";
+std::string mark_text(const Record& record, const Statistics& fastest) {
+    const Statistics& s = *record.statistics;
+    if (s.median_ns == fastest.median_ns) return "fastest";
+    const bool known = record.status == Status::ok && s.ci_low_ns && fastest.ci_high_ns;
+    return known && *s.ci_low_ns <= *fastest.ci_high_ns ? "as fast" : "";
 }
 
 DeviceInfo device_of(const ResultFile& result, const std::string& key) {

@@ -29,9 +29,10 @@ TimeUnit unit_of(const std::vector<Record>& records);
 /// none, or "-" with fewer than three samples.
 std::string spread_text(const Statistics& statistics);
 
-/// "fastest" for the shortest time of a group; "as fast" for one whose median's 95 % interval overlaps with
-/// that one's, so that their order is not sure; else empty.
-std::string mark_text(const Statistics& statistics, const Statistics& fastest);
+/// Of a timed record: "fastest" for the shortest time of a group; "as fast" for a stable one whose 95 %
+/// interval overlaps with that one's, so that their order is not sure; else empty.
+std::string mark_text(const Record& record, const Statistics& fastest);
+constexpr const char* mark_note = "as fast: its 95 % interval overlaps with that of the fastest";
 
 /// The device of a record, or an empty one when the file does not describe it.
 DeviceInfo device_of(const ResultFile& result, const std::string& key);

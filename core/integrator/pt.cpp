@@ -1,7 +1,6 @@
 #include "core/integrator/pt.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -26,7 +25,8 @@ struct Shape {
     PtRuns runs;  ///< the image depends on them, so on nothing but device, lanes, size and spp
 };
 
-constexpr std::uint64_t longest_round = 512;  ///< samples, which the kernel counts in 16 bits
+constexpr std::uint64_t longest_round = 512;  ///< samples
+static_assert(longest_round < PT_FULL_LENGTH);
 
 /// A GPU wants all its resident lanes busy, and a dozen units each, or the last ones to finish keep it
 /// waiting. A CPU's thread takes units for as long as there are any, so a few items a core are enough.
@@ -44,12 +44,8 @@ Shape shape_of(const ocl::Device& device, const Scene& scene, const RenderJob& j
     return shape;
 }
 
-/// Cuts a pixel into columns and rows of equal cells, as near to squares as its samples allow: one sample a
-/// cell.
 void stratify(PtLaunch& launch, std::uint32_t spp) {
-    auto columns = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(spp)));
-    while (spp % columns != 0) --columns;
-    const std::uint32_t rows = spp / columns;
+    const std::uint32_t columns = strata_columns(spp), rows = spp / columns;
     launch.strata_columns = columns;
     launch.stratum_width = 1.0f / static_cast<float>(columns);
     launch.stratum_height = 1.0f / static_cast<float>(rows);

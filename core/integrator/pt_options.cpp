@@ -1,6 +1,7 @@
 #include "core/integrator/pt_options.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -63,11 +64,32 @@ std::string memory_refusal(const ocl::Device& device, const PtScene& scene, cons
     return "";
 }
 
+/// The kernel divides by products, which are exact up to here.
+constexpr std::uint32_t most_rows = (1u << 22) - 1;
+
+std::string rows_refusal(const RenderJob& job) {
+    if (static_cast<std::uint32_t>(job.size.height) > most_rows)
+        return fmt::format("size {}x{}: pt takes at most {} rows", job.size.width, job.size.height,
+                           most_rows);
+    const auto spp = static_cast<std::uint32_t>(job.spp);
+    if (job.variant.pixel_filter != PixelFilter::stratified || spp / strata_columns(spp) <= most_rows)
+        return "";
+    return fmt::format("pixel_filter stratified: {} samples make a grid of {} rows, pt takes at most {}", spp,
+                       spp / strata_columns(spp), most_rows);
+}
+
 }  // namespace
 
+std::uint32_t strata_columns(std::uint32_t spp) {
+    auto columns = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(spp)));
+    while (spp % columns != 0) --columns;
+    return columns;
+}
+
 std::string pt_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
-    for (const std::string& reason : {memory_refusal(device, make_pt_scene(scene), job),
-                                      pt_film_refusal(device, job.size, job.variant.film_memory)})
+    for (const std::string& reason :
+         {memory_refusal(device, make_pt_scene(scene), job),
+          pt_film_refusal(device, job.size, job.variant.film_memory), rows_refusal(job)})
         if (!reason.empty()) return reason;
     return "";
 }

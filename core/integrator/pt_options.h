@@ -13,6 +13,10 @@ std::string pt_options(const ocl::Device& device, const Scene& scene, const Rend
 /// Why `pt` does not do a job of this variant on this device, or nothing.
 std::string pt_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job);
 
+/// Of the grid of cells that stratified samples of a pixel lie in, one each: the largest divisor of spp that
+/// is not above its root.
+std::uint32_t strata_columns(std::uint32_t spp);
+
 /// One that wants thousands of work-items: all but CPUs.
 bool is_throughput_device(const ocl::Device& device);
 

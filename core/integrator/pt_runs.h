@@ -10,11 +10,11 @@ namespace ptb {
 /// A round that is short enough as a whole is one run.
 struct PtRuns {
     std::vector<std::uint32_t> starts;  ///< first sample of every run, and the end of the last one
+    std::vector<std::uint32_t> rounds;  ///< the ends of the rounds, likewise
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(starts.size() - 1); }
     std::uint32_t length(std::uint32_t run) const { return starts[run + 1] - starts[run]; }
     std::uint32_t longest() const;
-    /// Whether the next run is longer, or there is none.
     bool ends_round(std::uint32_t run) const;
 };
 

@@ -44,7 +44,9 @@ PtSurface face(const Sphere& sphere, const Material& material, bool inside) {
 }
 
 PtSurface background() {
+    const float nothing = std::numeric_limits<float>::quiet_NaN();
     PtSurface surface{};
+    surface.weight_eta.w = surface.traits.w = nothing;
     surface.traits.x = -1;
     return surface;
 }
@@ -97,7 +99,7 @@ PtScene make_pt_scene(const Scene& scene) {
         result.surfaces.push_back(face(sphere, material, false));
         result.surfaces.push_back(face(sphere, material, true));
         const std::uint32_t number = i - result.opaque;
-        const std::uint32_t bit = one_is_two_sided ? 0x80000001u : 0x80000000u >> number % 32;
+        const std::uint32_t bit = one_is_two_sided ? PT_LONE_SIDE : 0x80000000u >> number % 32;
         if (camera_inside(scene, sphere)) result.camera_sides[number / 32] |= bit;
     }
     result.surfaces.insert(result.surfaces.end(), opaque.begin(), opaque.end());

@@ -36,14 +36,14 @@ static inline lanes_u random_mix(lanes_u x) {
 /* -DPTB_PARK_MILLER: see "Random Number Generators: Good Ones Are Hard to Find", by S. Park and K. Miller. */
 #define PARK_MILLER_MODULUS 0x7fffffffu
 
-/* The pair is a bijection of (pixel, sample), so no two paths of an image start alike. Pixels' numbers lie far apart (a
-   golden section), so what is mixed is distinct too in images of up to 2^30 samples. */
+/* The pair is a bijection of (pixel, sample), so no two paths of an image start alike. Pixels' numbers lie far apart, so
+   the one word is distinct too in images of up to 2^27 samples. */
 static inline lanes_u random_of_pixel(lanes_u pixel, uint seed) { return (pixel + seed * 0x9e3779b9u) * 0x9e3779b9u; }
 static inline Random random_of_path(lanes_u of_pixel, lanes_u sample) {
     Random random;
     random.b = random_mix(sample + of_pixel);
-    random.a = of_pixel ^ random.b;
-    random.a = (random.a ^ (random.a >> 16)) * 0x7feb352du;
+    const lanes_u both = of_pixel ^ random.b;
+    random.a = (both ^ (both >> 16)) * 0x7feb352du;
 #ifdef PTB_PARK_MILLER
     random.a = lanes_max_u(lanes_min_u(random.a >> 1, (lanes_u)(PARK_MILLER_MODULUS - 1u)), (lanes_u)(1u));
     random.b = (lanes_u)(0u);

@@ -22,7 +22,7 @@ typedef struct Hit {
 
 #ifdef PT_FEW
 
-#define HIT_NUMBER 15u
+#define HIT_NUMBER (~PT_DISTANCE_MASK)
 
 static inline Hit no_hit(uint background) {
     Hit hit;

@@ -78,7 +78,7 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
                     write_units(&unit, finished, turn, tallies);
                     COUNTED_LANES(alive & finished, PT_UNIT_WORK)
                     COUNTED_LANES(alive & finished, PT_TAKE_WORK)
-                    if (PTB_LANES == 1) turn = 0u;
+                    if (PTB_LANES == 1) turn = 0u; /* so its unit's first turn needs no register */
                     alive &= !finished | take_units(&unit, finished, turn, queue, run_starts, &launch);
                 }
                 refill(&spare, &unit, &launch);

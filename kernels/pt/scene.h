@@ -50,7 +50,8 @@ typedef struct Scene {
     PT_SPHERE_SPACE const PtSphere* spheres; /* opaque ones first, then two-sided ones */
     uint opaque;
     uint count;
-    uint distance_mask; /* see pt/hit.h */
+    uint distance_mask; /* PT_DISTANCE_MASK, hidden from the compiler: and with it, or a number is one instruction of three
+                           operands then (H200: 0.96 without) */
 } Scene;
 
 static inline uint two_sided_spheres(Scene scene) { return scene.count - scene.opaque; }
@@ -84,6 +85,7 @@ static inline lanes_u side_of(Scene scene, const Sides* inside, uint number) {
 /* A float's sign bit inside, else 0; the lowest bit may be set too. */
 static inline lanes_u side_sign(Scene scene, lanes_u side) { return one_is_two_sided(scene) ? side : side << 31; }
 
+/* The mask in place of 1 makes one instruction of it and hit_offer's. */
 static inline lanes_u two_sided_face(Scene scene, uint number, lanes_u side) {
     return (lanes_u)(2u * number) | (side & (one_is_two_sided(scene) ? ~scene.distance_mask : 1u));
 }
@@ -91,7 +93,7 @@ static inline lanes_u two_sided_face(Scene scene, uint number, lanes_u side) {
 /* Passes through a face of each lane's own. */
 static inline void change_sides(Scene scene, Sides* inside, lanes_u face, lanes_mask through) {
     if (one_is_two_sided(scene)) {
-        inside->word[0] ^= lanes_select_u((lanes_u)(0u), (lanes_u)(0x80000001u), through);
+        inside->word[0] ^= lanes_select_u((lanes_u)(0u), (lanes_u)(PT_LONE_SIDE), through);
         return;
     }
     const lanes_u number = face >> 1;

@@ -40,13 +40,11 @@ typedef struct Unit {
     lanes_u pixel_hash;
     lanes_f column, row; /* of its pixel, less 1, since random numbers begin there */
     lanes_u sample, end; /* the next one to start, and the one after the last */
-    lanes_u counts; /* its samples, below 2^16, and PT_FULL_LENGTH times its paths of full length */
-    lanes_u taken; /* units so far */
+    lanes_u counts; /* its samples, and PT_FULL_LENGTH times its paths of full length */
+    lanes_u taken;  /* units so far, with PT_BOUNDED */
     lanes_u first_turn;
     Vec sum, squares;
 } Unit;
-
-#define PT_FULL_LENGTH 0x10000u
 
 /* The next sample of a lane's unit, ready to start. A camera ray costs as much as half a bounce for however few lanes; so
    all lanes that lack one get theirs together, once a lane needs what it has not. */
@@ -90,10 +88,10 @@ static inline Spare no_spare(void) {
 /* Gives each wanting lane the next unit of the queue; returns the lanes that got one. */
 static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, uint turn, volatile __global uint* queue,
                                     __global const uint* run_starts, const PtLaunch* launch) {
+    lanes_mask may = wanting;
 #ifdef PT_BOUNDED
-    const lanes_mask may = wanting & (unit->taken < launch->units_per_lane);
-#else
-    const lanes_mask may = wanting;
+    may &= unit->taken < launch->units_per_lane;
+    unit->taken += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), may);
 #endif
     lanes_u number = lanes_select_u((lanes_u)(0xffffffffu), (lanes_u)(0u), may);
     for (uint lane = 0; lane < PTB_LANES; ++lane) {
@@ -112,7 +110,6 @@ static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, uint turn, v
         LANE(first, lane) = start[0];
         LANE(end, lane) = start[1];
     }
-    unit->taken += lanes_select_u(none, (lanes_u)(1u), may);
     unit->number = lanes_select_u(unit->number, number, got);
     unit->pixel_hash = lanes_select_u(unit->pixel_hash, random_of_pixel(pixel, launch->seed), got);
     unit->column = lanes_select(unit->column, lanes_to_f(pixel - row * launch->width) - 1.0f, got);

@@ -10,6 +10,12 @@ typedef struct PtSphere {
 } PtSphere;
 PTB_ASSERT_SIZE(PtSphere, 16);
 
+/* What a lone two-sided sphere among few has in its word of sides inside: see pt/scene.h. */
+#define PT_LONE_SIDE 0x80000001u
+
+/* Times this, a unit's paths of full length are counted in the word that has the number of its samples. */
+#define PT_FULL_LENGTH 0x10000u
+
 /* Spheres of so few faces are passed by value and known one by one while compiling; one row more is the background. */
 #define PT_FEW_MOST 15
 
@@ -26,11 +32,11 @@ PTB_ASSERT_SIZE(PtFewSpheres, 256);
    the centre, the normal on this side. `eta` is the index of refraction here over that beyond. */
 typedef struct PtSurface {
     ptb_float4 centre_matte; /* xyz: centre; w: outwards if matte, else 0 */
-    ptb_float4 weight_eta;   /* rgb: throughput factor of a bounce; w: eta^2 */
+    ptb_float4 weight_eta;   /* rgb: throughput factor of a bounce; w: eta^2, NaN unless dielectric, so that nothing
+                                goes through */
     ptb_float4 radiance;     /* rgb: emitted; w: unused */
     ptb_float4 traits;       /* x: 2 / radius^2 of a mirror or dielectric, 0 if matte, -1 if no path goes on from it;
-                                y: outwards eta; z: outwards / eta; w: 1 - eta^2, NaN unless dielectric, so that
-                                nothing goes through */
+                                y: outwards eta; z: outwards / eta; w: 1 - eta^2 */
     ptb_float4 padding; /* rows of 80 bytes lie in different banks of a GPU's local memory, rows of 64 in two of them */
 } PtSurface;
 PTB_ASSERT_SIZE(PtSurface, 80);

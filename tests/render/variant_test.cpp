@@ -159,6 +159,13 @@ TEST(Variants, what_means_nothing_is_refused_with_the_reason) {
             refusal_of(device, "pt", mixed_balls(100'000),
                        [](auto& j) { j.variant.scene_memory = SceneMemory::local; }),
             testing::StartsWith("scene_memory local: 100000 spheres take 11200240 bytes, this device has "));
+        EXPECT_EQ(refusal_of(device, "pt", scene,
+                             [](auto& j) {
+                                 j.variant.pixel_filter = PixelFilter::stratified;
+                                 j.spp = 4'194'319;  // a prime number
+                             }),
+                  "pixel_filter stratified: 4194319 samples make a grid of 4194319 rows, pt takes at most "
+                  "4194303");
         EXPECT_EQ(refusal_of(device, "pt", scene, [](auto&) {}), "");
     });
 }

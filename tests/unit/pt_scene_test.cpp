@@ -56,12 +56,13 @@ TEST(PtScene, tells_matte_from_mirror_and_both_from_what_ends_a_path) {
     const PtSurface& matte = scene.surfaces[2];
     EXPECT_FLOAT_EQ(matte.centre_matte.w, 1.0f / 2);
     EXPECT_EQ(matte.traits.x, 0.0f);
-    EXPECT_TRUE(std::isnan(matte.traits.w)) << "nothing goes through";
+    EXPECT_TRUE(std::isnan(matte.weight_eta.w) && std::isnan(matte.traits.w)) << "nothing goes through";
     const PtSurface& mirror = scene.surfaces[3];
     EXPECT_EQ(mirror.centre_matte.w, 0.0f);
     EXPECT_FLOAT_EQ(mirror.traits.x, 2.0f / 16);
     const PtSurface& background = scene.surfaces[4];
     EXPECT_LT(background.traits.x, 0.0f);
+    EXPECT_TRUE(std::isnan(background.weight_eta.w) && std::isnan(background.traits.w));
 }
 
 TEST(PtScene, knows_the_zeros_of_centres_and_what_paths_start_with) {
@@ -95,6 +96,9 @@ TEST(PtRuns, cover_all_samples_in_rounds_of_ever_shorter_runs) {
         EXPECT_GT(runs.length(run), 0u);
         EXPECT_EQ(runs.ends_round(run), run % 3 == 2);
     }
+    const PtRuns uncut = make_pt_runs(1002, 100'000, 512);
+    ASSERT_EQ(uncut.count(), 2u);
+    EXPECT_TRUE(uncut.ends_round(0) && uncut.ends_round(1));
     EXPECT_LT(runs.length(2), runs.length(1));
     EXPECT_LT(runs.length(1), runs.length(0));
 }

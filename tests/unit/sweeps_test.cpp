@@ -80,6 +80,8 @@ TEST(Sweeps, nobody_is_the_fastest_alone_where_intervals_overlap) {
     ASSERT_EQ(sections.size(), 1u);
     EXPECT_THAT(column(sections[0], ""), ElementsAre("", "fastest", "as fast"));
     EXPECT_THAT(sections[0].grid.best, ElementsAre(1, 2));
+    f.cases[2].status = Status::unstable;
+    EXPECT_THAT(sweep_sections(f)[0].grid.best, ElementsAre(1)) << "its interval is wide because it is noisy";
 }
 
 TEST_P(EachAxis, is_a_column_of_tables_only_where_it_varies) {

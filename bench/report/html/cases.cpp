@@ -25,7 +25,7 @@ std::string outcome_text(const Record& record) {
 }
 
 /// Times by work-group of cases that are otherwise the same; of each work that with the most samples.
-using Map = std::map<WorkGroup, Statistics>;
+using Map = std::map<WorkGroup, const Record*>;
 
 std::map<Case, Map> maps_of(const ResultFile& result) {
     std::map<Case, Map> maps;
@@ -33,7 +33,7 @@ std::map<Case, Map> maps_of(const ResultFile& result) {
         if (!timed(record) || !record.params.work_group.two_dimensional()) continue;
         Case c = record.params;
         c.work_group = {};
-        maps[c][record.params.work_group] = *record.statistics;
+        maps[c][record.params.work_group] = &record;
     }
     const auto fewer_samples = [&](const Case& c) {
         return std::any_of(maps.begin(), maps.end(), [&](const auto& other) {
@@ -56,8 +56,8 @@ int shade(double ns, double fastest) {
 std::string map_cell(const Map& map, WorkGroup group, const Statistics& fastest) {
     const auto found = map.find(group);
     if (found == map.end()) return "<td>-</td>";
-    const double ns = found->second.median_ns;
-    const std::string mark = mark_text(found->second, fastest);
+    const double ns = found->second->statistics->median_ns;
+    const std::string mark = mark_text(*found->second, fastest);
     return fmt::format("<td class=\"n shade-{}\">{}{}</td>", shade(ns, fastest.median_ns),
                        number_text(ms(ns)), mark.empty() ? "" : " (" + mark + ")");
 }
@@ -65,9 +65,9 @@ std::string map_cell(const Map& map, WorkGroup group, const Statistics& fastest)
 std::string map_table(const ResultFile& result, const Case& c, const Map& map) {
     std::set<int> widths, heights;
     const auto fastest = std::min_element(map.begin(), map.end(), [](const auto& a, const auto& b) {
-        return a.second.median_ns < b.second.median_ns;
+        return a.second->statistics->median_ns < b.second->statistics->median_ns;
     });
-    for (const auto& [group, statistics] : map) {
+    for (const auto& [group, record] : map) {
         widths.insert(group.x);
         heights.insert(group.y);
     }
@@ -75,7 +75,7 @@ std::string map_table(const ResultFile& result, const Case& c, const Map& map) {
     for (const int x : widths) head += fmt::format("<th scope=\"col\" class=\"n\">{}</th>", x);
     for (const int y : heights) {
         body += fmt::format("<tr><th scope=\"row\" class=\"n\">{}</th>", y);
-        for (const int x : widths) body += map_cell(map, {x, y}, fastest->second);
+        for (const int x : widths) body += map_cell(map, {x, y}, *fastest->second->statistics);
         body += "</tr>\n";
     }
     const std::string caption = fmt::format("work-groups of {}, {}: ms, widths across, heights down",
