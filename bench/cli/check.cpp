@@ -19,8 +19,7 @@ namespace ptb {
 namespace {
 
 void check_kernel(const std::string& kernel) {
-    std::vector<std::string> known;
-    for (const auto& integrator : integrators()) known.push_back(std::string(integrator.id));
+    const std::vector<std::string> known = integrator_ids();
     if (std::find(known.begin(), known.end(), kernel) != known.end()) return;
     throw UsageError(fmt::format("kernel: found \"{}\"{}; allowed: {}", printable(kernel),
                                  did_you_mean(kernel, known), fmt::join(known, ", ")));

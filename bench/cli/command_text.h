@@ -10,7 +10,8 @@ struct OptionText {
     std::vector<std::string> flags;  ///< "-d", "--device"; none for the words of a command, such as files
     std::string value;               ///< "TEXT", "INT", ...; empty for one that takes no value
     std::vector<std::string> choices;
-    bool is_folder = false;
+    std::vector<std::string> names;  ///< values that are known, beside others
+    bool is_folder = false, is_file = false;
     std::string help, variable;  ///< `variable`: of the environment, or empty
     bool operator==(const OptionText&) const = default;
 };

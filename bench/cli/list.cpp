@@ -19,12 +19,6 @@
 namespace ptb {
 namespace {
 
-std::vector<std::string> kernel_names() {
-    std::vector<std::string> names;
-    for (const auto& integrator : integrators()) names.push_back(std::string(integrator.id));
-    return names;
-}
-
 std::string bytes_text(std::uint64_t bytes) {
     const double kib = static_cast<double>(bytes) / 1024;
     if (kib < 1024) return fmt::format("{:.0f} KiB", kib);
@@ -89,14 +83,14 @@ std::string limits_text(const Limits& limits) {
 void print_text(const DeviceList& list, const Limits& limits) {
     put(stdout, fmt::format("{}{}{}\nkernels: {}\nscenes:  {}\nconfigs: {}\naxes:    {}\n",
                             devices_text(list.devices), broken_text(list.broken), limits_text(limits),
-                            fmt::join(kernel_names(), " "), fmt::join(scene_names(), " "),
+                            fmt::join(integrator_ids(), " "), fmt::join(scene_names(), " "),
                             fmt::join(config_names(), " "), fmt::join(axis_names(), " ")));
 }
 
 void print_json(const DeviceList& list, const Limits& limits) {
     const Json json{{"peaks", encode(limits.peaks)}, {"cases", encode(limits.cases)},
                     {"devices", list.devices},       {"broken_icds", list.broken},
-                    {"kernels", kernel_names()},     {"scenes", scene_names()},
+                    {"kernels", integrator_ids()},   {"scenes", scene_names()},
                     {"configs", config_names()},     {"axes", axis_names()}};
     put(stdout, dump_json(json, 2) + "\n");
 }
@@ -117,7 +111,7 @@ Case case_of(DeviceWorker& worker, const std::string& device, const std::string&
 
 std::vector<Record> kernels_on(DeviceWorker& worker, const std::string& device) {
     std::vector<Record> records;
-    for (const std::string& kernel : kernel_names()) {
+    for (const std::string& kernel : integrator_ids()) {
         Request request;
         request.kind = Request::Kind::run;
         request.params = case_of(worker, device, kernel);

@@ -10,10 +10,13 @@
 #include "bench/cli/exit_code.h"
 #include "bench/cli/option_parts.h"
 #include "bench/cli/value_checks.h"
+#include "bench/plan/data_dir.h"
 #include "bench/plan/limits.h"
+#include "bench/report/formats/formats.h"
 #include "bench/version.h"
 #include "core/input/nearest.h"
 #include "core/input/printable.h"
+#include "core/integrator/registry.h"
 
 namespace ptb {
 namespace {
@@ -230,6 +233,22 @@ std::vector<std::string> known_flags(const CLI::App& app) {
     return flags;
 }
 
+std::vector<std::string> format_names() {
+    std::vector<std::string> names;
+    for (const Format& format : formats()) names.emplace_back(format.name);
+    return names;
+}
+
+/// What the value of an option names, where that is not just what is checked of it.
+void add_names(OptionText& text) {
+    const std::string flag = text.flags.empty() ? "" : text.flags.back();
+    if (flag == "--kernel") text.names = integrator_ids();
+    if (flag == "--format") text.names = format_names();
+    if (flag == "--scene") text.names = scene_names();
+    if (flag == "--config" || flag == "--base-config" || flag == "--new-config") text.names = config_names();
+    text.is_file = flag == "--scene" || flag.ends_with("config");
+}
+
 /// CLI11 says "TEXT", "TEXT:DIR" or "TEXT:{auto,always,never}".
 OptionText option_text(const CLI::Option& option) {
     OptionText text;
@@ -243,6 +262,7 @@ OptionText option_text(const CLI::Option& option) {
     const std::string check = colon == std::string::npos ? "" : type.substr(colon + 1);
     text.is_folder = check == "DIR";
     if (check.starts_with("{")) text.choices = CLI::detail::split(check.substr(1, check.size() - 2), ',');
+    add_names(text);
     return text;
 }
 

@@ -25,15 +25,20 @@ std::vector<std::string> command_names(const std::vector<CommandText>& commands)
     return names;
 }
 
+std::vector<std::string> words_of(const OptionText& option) {
+    return option.choices.empty() ? option.names : option.choices;
+}
+
 /// "    ab:--profile) COMPREPLY=(...) ;;", for options whose values are known.
 std::string bash_values(const CommandText& command, const std::string& name) {
     std::string text;
     for (const OptionText& option : command.options) {
-        if (option.choices.empty() && !option.is_folder) continue;
+        if (words_of(option).empty() && !option.is_folder) continue;
         std::vector<std::string> patterns;
         for (const auto& flag : option.flags) patterns.push_back(fmt::format("{}:{}", name, flag));
-        const std::string words =
-            option.is_folder ? std::string("-d") : fmt::format("-W '{}'", fmt::join(option.choices, " "));
+        const std::string words = option.is_folder ? std::string("-d")
+                                                   : fmt::format("{}-W '{}'", option.is_file ? "-f " : "",
+                                                                 fmt::join(words_of(option), " "));
         text += fmt::format("        {}) mapfile -t COMPREPLY < <(compgen {} -- \"$word\"); return ;;\n",
                             fmt::join(patterns, " | "), words);
     }
@@ -54,8 +59,10 @@ std::string zsh_option(const OptionText& option, const std::string& flag) {
     std::string action;
     if (option.is_folder)
         action = ":folder:_files -/";
-    else if (!option.choices.empty())
-        action = fmt::format(":{}:({})", option.value, fmt::join(option.choices, " "));
+    else if (option.is_file)
+        action = fmt::format(":{}: _ptbench_names {}", option.value, fmt::join(words_of(option), " "));
+    else if (!words_of(option).empty())
+        action = fmt::format(":{}:({})", option.value, fmt::join(words_of(option), " "));
     else if (!option.value.empty())
         action = fmt::format(":{}:_files", option.value);
     return quoted(fmt::format("{}{}[{}]{}", action.empty() ? "" : "*", flag, zsh_help(option.help), action));
@@ -95,7 +102,9 @@ std::string bash_completion(const std::vector<CommandText>& commands) {
 std::string zsh_completion(const std::vector<CommandText>& commands) {
     const auto names = command_names(commands);
     std::string text =
-        "#compdef ptbench\n# generated from ptbench --help\n_ptbench() {\n    local -a commands=(";
+        "#compdef ptbench\n# generated from ptbench --help\n"
+        "_ptbench_names() { _alternative \"names:name:($*)\" 'files:file:_files' }\n"
+        "_ptbench() {\n    local -a commands=(";
     for (std::size_t i = 0; i < commands.size(); ++i)
         text += fmt::format("\n        {}", quoted(names[i] + ":" +
                                                    (i == 0 ? "measure; what happens without a command"

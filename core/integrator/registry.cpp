@@ -50,6 +50,12 @@ const std::vector<Integrator>& integrators() {
     return all;
 }
 
+std::vector<std::string> integrator_ids() {
+    std::vector<std::string> ids;
+    for (const Integrator& row : integrators()) ids.push_back(row.id);
+    return ids;
+}
+
 const Integrator& integrator(const std::string& id) {
     for (const Integrator& row : integrators())
         if (row.id == id) return row;

@@ -32,6 +32,9 @@ struct Integrator {
 /// Every integrator, the plain one first.
 const std::vector<Integrator>& integrators();
 
+/// Their ids, in that order.
+std::vector<std::string> integrator_ids();
+
 /// Throws std::out_of_range when there is none of that id.
 const Integrator& integrator(const std::string& id);
 

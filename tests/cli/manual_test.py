@@ -1,6 +1,7 @@
 """The man page and the completions know what --help knows, and their readers take them."""
 
 import gzip
+import json
 import os
 import pathlib
 import re
@@ -57,6 +58,14 @@ class Manual(CliTest):
         self.assertEqual(self.complete("--"), {flag for flag in self.flags() if flag.startswith("--")})
         self.assertEqual(self.complete("--timer", ""), {"auto", "event", "host"})
         self.assertEqual(self.complete("ab", "--profile", "d"), {"dedicated"})
+        self.assertEqual(self.complete("report", "--format", "github-action-"),
+                         {"github-action-smaller", "github-action-bigger"})
+        for command, flag, listed in (("run", "--config", "configs"), ("render", "--scene", "scenes"),
+                                      ("tune", "--kernel", "kernels")):
+            names = json.loads(self.run_ok("list", "--json").stdout)[listed]
+            self.assertLessEqual(set(names), self.complete(command, flag, ""))
+        here = str(pathlib.Path(__file__))
+        self.assertEqual(self.complete("--config", here[:-1]), {here})
 
     def test_zsh_takes_its_completions(self):
         subprocess.run(["zsh", "-n", MANUAL / "_ptbench"], check=True)
