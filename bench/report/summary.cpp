@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -56,10 +57,34 @@ std::string sureness(const Record& fast, const Record& slow) {
     return fmt::format("{:.3g} to {:.3g} by both medians' 95 % intervals", low, high);
 }
 
+/// Of a run without implicit work-groups: the fastest time of one work, of pt and of many samples if there is
+/// a choice.
+std::string best_work_group(const ResultFile& result) {
+    std::map<Case, std::vector<Record>> works;
+    for (const Record& record : result.cases) {
+        if (!timed(record)) continue;
+        Case c = record.params;
+        c.work_group = {};
+        works[c].push_back(record);
+    }
+    if (works.empty()) return "No case has a time.";
+    const auto rank = [](const auto& work) { return std::tuple(work.first.kernel == "pt", work.first.spp); };
+    const auto work = std::max_element(works.begin(), works.end(),
+                                       [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    const Record& fast = *std::min_element(
+        work->second.begin(), work->second.end(),
+        [](const Record& a, const Record& b) { return a.statistics->median_ns < b.statistics->median_ns; });
+    const std::size_t sizes = work->second.size();
+    return fmt::format("{}: {} takes {} ms in work-groups of {}{}.", name_of(result, fast),
+                       work_text(fast.params), number_text(ms(fast.statistics->median_ns)),
+                       to_string(fast.params.work_group),
+                       sizes == 1 ? "" : fmt::format(", the fastest of {} sizes", sizes));
+}
+
 std::vector<std::string> speeds(const ResultFile& result) {
     const auto records = comparable(result);
     const auto devices = headline(records);
-    if (devices.empty()) return {"No case with implicit work-groups has a time."};
+    if (devices.empty()) return {best_work_group(result)};
     const Record& fast = devices.front();
     const std::string time =
         fmt::format("{} takes {} ms", work_text(fast.params), number_text(ms(fast.statistics->median_ns)));

@@ -240,6 +240,24 @@ TEST(Table, in_short_says_who_is_how_much_faster_and_how_sure_that_is) {
     EXPECT_THAT(summary_section(f).notes[1], HasSubstr("95 % intervals do not tell apart"));
 }
 
+TEST(Table, in_short_says_which_work_group_is_the_fastest_where_none_is_implicit) {
+    ResultFile f = two_devices();
+    f.cases = {f.cases[3]};
+    f.cases[0].params.work_group = {64, 0};
+    EXPECT_EQ(
+        summary_section(f).notes[0],
+        "NVIDIA H200 (GPU): pt with 10 samples per pixel at 128x128 takes 4.000 ms in work-groups of 64.");
+    f.cases.push_back(f.cases[0]);
+    f.cases[1].params.work_group = {8, 8};
+    f.cases[1].statistics->median_ns = 3e6;
+    EXPECT_EQ(
+        summary_section(f).notes[0],
+        "NVIDIA H200 (GPU): pt with 10 samples per pixel at 128x128 takes 3.000 ms in work-groups of 8x8, "
+        "the fastest of 2 sizes.");
+    f.cases = {failed_record(64, Status::timeout, "slow")};
+    EXPECT_EQ(summary_section(f).notes[0], "No case has a time.");
+}
+
 TEST(Table, in_short_says_what_failed_and_why) {
     ResultFile f = two_devices();
     f.cases[0].validation = Validation{};
