@@ -4,7 +4,8 @@
 usage: page_size.py RESULT.json     (of a run, its pictures beside it; build/release/bin/ptbench makes the page)
 
 Cases and pictures are those of the result, again and again with noise on all that a clock gives: kernel times +-1 %,
-the other times +-20 %, so that nothing compresses because it was copied."""
+the other times +-20 %, so that nothing compresses because it was copied. What waits for a kernel waits as long as that
+takes but for some time, which gets the noise."""
 
 import copy
 import json
@@ -26,12 +27,13 @@ CASES, SAMPLES, DEVICES = 1000, 200, 8
 def noisy_samples(samples, draw):
     made = []
     for _ in range(SAMPLES):
-        sample = dict(draw.choice(samples))
-        longer = sample["host_ns"] - sample["kernel_ns"]
-        sample["kernel_ns"] = sample["sum_ns"] = round(sample["kernel_ns"] * draw.gauss(1, 0.01))
-        sample["host_ns"] = sample["kernel_ns"] + round(longer * draw.uniform(0.8, 1.2))
-        for key in ("queued_ns", "submit_ns", "probe_ns"):
-            sample[key] = round(sample[key] * draw.uniform(0.8, 1.2))
+        real = draw.choice(samples)
+        kernel = round(real["kernel_ns"] * draw.gauss(1, 0.01))
+        sample = {**real, "kernel_ns": kernel, "sum_ns": kernel}
+        for key in ("host_ns", "queued_ns", "submit_ns", "probe_ns"):
+            waits = real[key] > real["kernel_ns"] / 2
+            rest = real[key] - real["kernel_ns"] if waits else real[key]
+            sample[key] = waits * kernel + round(rest * draw.uniform(0.8, 1.2))
         made.append(sample)
     return made
 

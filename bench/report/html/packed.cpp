@@ -36,27 +36,46 @@ Json append_column(std::string& bytes, const std::vector<std::int64_t>& values) 
     return {{"from", from}, {"planes", planes}};
 }
 
-template <class Value>
+using Value = std::int64_t (*)(const TimeSample&);
+
 std::vector<std::int64_t> values_of(const std::vector<TimeSample>& samples, Value value) {
     std::vector<std::int64_t> values;
     for (const TimeSample& s : samples) values.push_back(value(s));
     return values;
 }
 
-/// Sum and host time as what they are longer than the kernel's.
+std::int64_t spread(const std::vector<std::int64_t>& values) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return values.empty() ? 0 : *most - *least;
+}
+
+/// A column of its values, or of what they and the kernel's time differ by, whichever is shorter: a launch
+/// that waits for the one before it waits nearly as long as that takes. "kernel" says how to read it: 0 as it
+/// is, 1 added to the kernel's time, -1 taken off it.
+Json append_time(std::string& bytes, const std::vector<TimeSample>& samples, Value value) {
+    const auto kernel = values_of(samples, [](const TimeSample& s) { return s.kernel_ns; });
+    const auto plain = values_of(samples, value);
+    auto more = plain, less = plain;
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        more[i] = plain[i] - kernel[i];
+        less[i] = -more[i];
+    }
+    const int sign = spread(plain) <= spread(more) ? 0 : plain.front() >= kernel.front() ? 1 : -1;
+    Json json = append_column(bytes, sign == 0 ? plain : sign > 0 ? more : less);
+    json["kernel"] = sign;
+    return json;
+}
+
 Json append_samples(std::string& bytes, const std::vector<TimeSample>& samples) {
     using S = const TimeSample&;
     Json json = {{"cause", Json::array()}};
     for (const TimeSample& s : samples) json["cause"].push_back(s.cause);
-    const auto add = [&](const char* key, auto value) {
-        json[key] = append_column(bytes, values_of(samples, value));
-    };
-    add("kernel_ns", [](S s) { return s.kernel_ns; });
-    add("sum_ns", [](S s) { return s.sum_ns - s.kernel_ns; });
-    add("host_ns", [](S s) { return s.host_ns - s.kernel_ns; });
-    add("queued_ns", [](S s) { return s.queued_ns; });
-    add("submit_ns", [](S s) { return s.submit_ns; });
-    add("probe_ns", [](S s) { return s.probe_ns; });
+    json["kernel_ns"] = append_column(bytes, values_of(samples, [](S s) { return s.kernel_ns; }));
+    json["sum_ns"] = append_time(bytes, samples, [](S s) { return s.sum_ns; });
+    json["host_ns"] = append_time(bytes, samples, [](S s) { return s.host_ns; });
+    json["queued_ns"] = append_time(bytes, samples, [](S s) { return s.queued_ns; });
+    json["submit_ns"] = append_time(bytes, samples, [](S s) { return s.submit_ns; });
+    json["probe_ns"] = append_time(bytes, samples, [](S s) { return s.probe_ns; });
     return json;
 }
 

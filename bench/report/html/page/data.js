@@ -13,13 +13,11 @@ function sampleReader(bytes) {
     return values;
   };
   return ({cause, ...columns}) => {
-    const read = Object.entries(columns).map(([key, how]) => [key, column(cause.length, how)]);
-    return cause.map((why, i) => {
-      const sample = Object.fromEntries(read.map(([key, values]) => [key, values[i]]));
-      sample.sum_ns += sample.kernel_ns;
-      sample.host_ns += sample.kernel_ns;
-      return {...sample, cause: why};
-    });
+    const read = Object.entries(columns).map(([key, how]) => [key, how.kernel ?? 0, column(cause.length, how)]);
+    const [[, , kernel]] = read;
+    const value = (sign, stored, i) => (sign === 0 ? stored[i] : kernel[i] + sign * stored[i]);
+    return cause.map((why, i) =>
+      ({...Object.fromEntries(read.map(([key, sign, stored]) => [key, value(sign, stored, i)])), cause: why}));
   };
 }
 
