@@ -233,19 +233,13 @@ std::vector<std::string> known_flags(const CLI::App& app) {
     return flags;
 }
 
-std::vector<std::string> format_names() {
-    std::vector<std::string> names;
-    for (const Format& format : formats()) names.emplace_back(format.name);
-    return names;
-}
-
 /// What the value of an option names, where that is not just what is checked of it.
 void add_names(OptionText& text) {
     const std::string flag = text.flags.empty() ? "" : text.flags.back();
     if (flag == "--kernel") text.names = integrator_ids();
     if (flag == "--format") text.names = format_names();
     if (flag == "--scene") text.names = scene_names();
-    if (flag == "--config" || flag == "--base-config" || flag == "--new-config") text.names = config_names();
+    if (flag.ends_with("config")) text.names = config_names();
     text.is_file = flag == "--scene" || flag.ends_with("config");
 }
 

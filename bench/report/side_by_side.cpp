@@ -63,10 +63,7 @@ void append_axes(std::vector<std::string>& cells, const Case& c, const std::vect
 
 void append_work(Grid& grid, const ResultFile& result, const std::vector<Record>& same,
                  const std::vector<std::string>& axes, const TimeUnit& unit) {
-    const auto by_time = [](const Record& a, const Record& b) {
-        return a.statistics->median_ns < b.statistics->median_ns;
-    };
-    const auto [fast, slow] = std::minmax_element(same.begin(), same.end(), by_time);
+    const auto [fast, slow] = std::minmax_element(same.begin(), same.end(), faster);
     const Statistics& fastest = *fast->statistics;
     const double slowest = slow->statistics->median_ns;
     for (const Record& record : same) {

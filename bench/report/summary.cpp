@@ -35,9 +35,7 @@ std::vector<Record> headline(const std::vector<Record>& records) {
     std::vector<Record> best;
     for (const auto& [work, same] : by_work(records))
         if (best.empty() || rank(same) > rank(best)) best = same;
-    std::sort(best.begin(), best.end(), [](const Record& a, const Record& b) {
-        return a.statistics.value_or(Statistics()).median_ns < b.statistics.value_or(Statistics()).median_ns;
-    });
+    std::sort(best.begin(), best.end(), faster);
     return best;
 }
 
@@ -71,9 +69,7 @@ std::string best_work_group(const ResultFile& result) {
     const auto rank = [](const auto& work) { return std::tuple(work.first.kernel == "pt", work.first.spp); };
     const auto work = std::max_element(works.begin(), works.end(),
                                        [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-    const Record& fast = *std::min_element(
-        work->second.begin(), work->second.end(),
-        [](const Record& a, const Record& b) { return a.statistics->median_ns < b.statistics->median_ns; });
+    const Record& fast = *std::min_element(work->second.begin(), work->second.end(), faster);
     const std::size_t sizes = work->second.size();
     return fmt::format("{}: {} takes {} ms in work-groups of {}{}.", name_of(result, fast),
                        work_text(fast.params), number_text(ms(fast.statistics->median_ns)),

@@ -40,12 +40,11 @@ std::vector<Sweep> all_sweeps(const ResultFile& result, const std::string& axis)
 }
 
 /// Null where no case has a time.
-const Statistics* fastest_of(const ResultFile& result, const Sweep& sweep) {
-    const Statistics* fastest = nullptr;
+const Record* fastest_of(const ResultFile& result, const Sweep& sweep) {
+    const Record* fastest = nullptr;
     for (const std::size_t i : sweep.cases) {
         const Record& record = result.cases[i];
-        if (timed(record) && (!fastest || record.statistics->median_ns < fastest->median_ns))
-            fastest = &*record.statistics;
+        if (timed(record) && (!fastest || faster(record, *fastest))) fastest = &record;
     }
     return fastest;
 }
@@ -96,7 +95,7 @@ std::vector<std::string> cells(const ResultFile& result, const Record& record, c
 
 void append_sweep(Section& section, const ResultFile& result, const Sweep& sweep,
                   const std::vector<std::string>& axes, const TimeUnit& unit) {
-    const Statistics& fastest = *fastest_of(result, sweep);
+    const Statistics& fastest = *fastest_of(result, sweep)->statistics;
     for (const std::size_t i : sweep.cases) {
         const Record& record = result.cases[i];
         if (timed(record) && !mark_text(record, fastest).empty())

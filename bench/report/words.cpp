@@ -83,6 +83,8 @@ bool timed(const Record& record) {
     return measured && record.statistics && std::isfinite(record.statistics->median_ns);
 }
 
+bool faster(const Record& a, const Record& b) { return a.statistics->median_ns < b.statistics->median_ns; }
+
 std::vector<Record> comparable(const ResultFile& result) {
     std::vector<Record> records;
     for (Record record : result.cases) {

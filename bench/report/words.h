@@ -46,6 +46,9 @@ std::string device_label(const ResultFile& result, const std::string& key);
 /// True when the record has a time that may be published.
 bool timed(const Record& record);
 
+/// Of timed records: whether the first one's median is the shorter.
+bool faster(const Record& a, const Record& b);
+
 /// Timed records with implicit work-groups: those that every device can be compared in.
 std::vector<Record> comparable(const ResultFile& result);
 

@@ -114,7 +114,7 @@ static inline lanes_u lanes_select_u(lanes_u if_false, lanes_u if_true, lanes_ma
 #if PTB_LANES == 1
 static inline lanes_f lanes_abs(lanes_f a) { return fabs(a); }
 #else
-static inline lanes_f lanes_abs(lanes_f a) { return lanes_as_f(lanes_as_u(a) & 0x7fffffffu); }
+static inline lanes_f lanes_abs(lanes_f a) { return lanes_as_f(lanes_as_u(a) & ~LANES_SIGN); }
 #endif
 /* With a NaN, b: one instruction, where fmin and fmax take four. */
 static inline lanes_f lanes_min(lanes_f a, lanes_f b) { return lanes_select(b, a, a < b); }

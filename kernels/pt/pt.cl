@@ -28,10 +28,10 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
 #else
     const uint opaque = launch.opaque_spheres, count = opaque + launch.two_sided_spheres;
 #endif
-    const uint faces = 2u * count - opaque;
-    const Start start = {(PT_SURFACE_SPACE const PtStart*)&surface_rows[faces + 1u], camera_sides};
-    const Scene scene = {spheres, opaque, count, start.row->distance_mask};
-    const Surfaces surfaces = surfaces_of(surface_rows, faces);
+    Scene scene = {spheres, opaque, count, 0u};
+    const Surfaces surfaces = surfaces_of(surface_rows, background(scene));
+    const Start start = {(PT_SURFACE_SPACE const PtStart*)&surface_rows[background(scene) + 1u], camera_sides};
+    scene.distance_mask = start.row->distance_mask;
     Unit unit = no_unit();
     Path path = no_path();
     Spare spare = no_spare();

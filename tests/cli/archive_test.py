@@ -26,10 +26,7 @@ def sample_columns(cause, columns, data):
             values = [value + (byte << 8 * plane) for value, byte in zip(values, data)]
             data = data[len(cause):]
         for sample, value in zip(samples, values):
-            sample[key] = value
-    for sample in samples:
-        sample["sum_ns"] += sample["kernel_ns"]
-        sample["host_ns"] += sample["kernel_ns"]
+            sample[key] = value + (sample["kernel_ns"] if columns[key].get("kernel") else 0)
     return samples, data
 
 

@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -8,6 +7,7 @@
 #include "bench/cli/hints.h"
 #include "bench/cli/options.h"
 #include "bench/cli/outputs.h"
+#include "tests/support/variable.h"
 
 namespace ptb {
 namespace {
@@ -109,12 +109,10 @@ TEST(cli_parse, every_error_is_one_line) {
 }
 
 TEST(cli_parse, the_environment_stands_in_for_what_is_not_given) {
-    ::setenv("PTBENCH_CONFIG", "thesis", 1);
-    ::setenv("PTBENCH_MAX_TOTAL_TIME", "30", 1);
-    ::setenv("PTBENCH_SPP", "4", 1);
+    const Variable config("PTBENCH_CONFIG", "thesis"), total("PTBENCH_MAX_TOTAL_TIME", "30"),
+        spp("PTBENCH_SPP", "4");
     const RunFlags from_environment = run_flags({});
     const RunFlags given = run_flags({"--config", "ci", "--spp", "8"});
-    for (const char* name : {"PTBENCH_CONFIG", "PTBENCH_MAX_TOTAL_TIME", "PTBENCH_SPP"}) ::unsetenv(name);
     EXPECT_EQ(from_environment.config, "thesis");
     EXPECT_EQ(from_environment.max_total_time_s, 30);
     EXPECT_EQ(from_environment.axis_values.at("spp"), "4");

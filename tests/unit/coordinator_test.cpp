@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/variable.h"
+
 namespace ptb {
 namespace {
 
@@ -58,17 +60,8 @@ std::string reason_of(const std::string& scene) {
     return records.at(0).reason;
 }
 
-/// Sets a variable for the workers of one test.
-struct WorkerVariable {
-    std::string name;
-    WorkerVariable(const std::string& variable, const std::string& value) : name(variable) {
-        ::setenv(name.c_str(), value.c_str(), 1);
-    }
-    ~WorkerVariable() { ::unsetenv(name.c_str()); }
-};
-
 std::vector<DevicePeaks> fake_peaks(const std::string& how) {
-    const WorkerVariable variable("FAKE_PEAKS", how);
+    const Variable variable("FAKE_PEAKS", how);
     return Coordinator(plan_of({}), fake_channels(), never()).peaks();
 }
 
@@ -78,7 +71,7 @@ TEST(coordinator, peaks_come_from_each_device_or_have_a_reason) {
     const auto dead = fake_peaks("abort").at(0);
     EXPECT_NE(dead.reason.find("SIGABRT"), std::string::npos) << dead.reason;
     EXPECT_TRUE(dead.peaks.empty());
-    const WorkerVariable refused("FAKE_OPEN", "refuse");
+    const Variable refused("FAKE_OPEN", "refuse");
     EXPECT_EQ(fake_peaks("").at(0).reason, "fake:0 cannot be opened: no such device");
 }
 
@@ -126,14 +119,14 @@ TEST(coordinator, slow_but_alive_is_not_a_timeout) {
 }
 
 TEST(coordinator, a_device_that_refuses_skips_its_cases) {
-    const WorkerVariable open("FAKE_OPEN", "refuse");
+    const Variable open("FAKE_OPEN", "refuse");
     const auto records = run(plan_of({make_case("good", 1), make_case("good", 2)}), fake_channels());
     EXPECT_EQ(statuses(records), (std::vector{Status::skipped, Status::skipped}));
     EXPECT_EQ(records[1].reason, "fake:0 cannot be opened: no such device");
 }
 
 TEST(coordinator, a_device_whose_worker_crashes_at_open_twice_is_given_up) {
-    const WorkerVariable open("FAKE_OPEN", "abort");
+    const Variable open("FAKE_OPEN", "abort");
     int opened = 0;
     const OpenChannel real = fake_channels();
     const OpenChannel counting = [&](const DeviceInfo& info) {
@@ -167,7 +160,7 @@ TEST(coordinator, one_device_that_cannot_open_leaves_the_others_alone) {
 }
 
 TEST(coordinator, a_worker_of_another_protocol_ends_the_run) {
-    const WorkerVariable open("FAKE_OPEN", "other-protocol");
+    const Variable open("FAKE_OPEN", "other-protocol");
     EXPECT_THROW(run(plan_of({make_case("good")}), fake_channels()), VersionMismatch);
 }
 
@@ -182,7 +175,7 @@ TEST(coordinator, an_interruption_kills_the_worker_and_skips_the_rest) {
 }
 
 TEST(coordinator, estimates_are_asked_once_for_equal_costs) {
-    const WorkerVariable ns("FAKE_NS", "500");
+    const Variable ns("FAKE_NS", "500");
     Coordinator coordinator(plan_of({make_case("good", 1), make_case("good", 2), make_case("other", 1)}),
                             fake_channels(), never());
     const Forecast forecast = coordinator.estimate();

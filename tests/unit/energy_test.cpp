@@ -1,10 +1,11 @@
 #include "bench/measure/energy.h"
 
-#include <cstdlib>
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <unistd.h>
+
+#include "tests/support/variable.h"
 
 namespace ptb {
 namespace {
@@ -79,10 +80,9 @@ TEST(Nvml, what_cannot_be_read_has_a_reason) {
     EXPECT_THAT(nvml_counter("", PTB_FAKE_NVML).reason, HasSubstr("UUID"));
     EXPECT_THAT(nvml_counter(std::string(32, 'f'), PTB_FAKE_NVML).reason,
                 HasSubstr("nvmlDeviceGetHandleByUUID says 6 (Not Found)"));
-    ::setenv("FAKE_NVML_ERROR", "3", 1);
+    const Variable error("FAKE_NVML_ERROR", "3");
     EXPECT_THAT(nvml_counter(gpu, PTB_FAKE_NVML).reason,
                 HasSubstr("nvmlDeviceGetTotalEnergyConsumption says 3 (Not Supported)"));
-    ::unsetenv("FAKE_NVML_ERROR");
 }
 
 /// 5 W when idle, 100 W in samples; the clock is the test's.

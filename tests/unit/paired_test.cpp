@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/variable.h"
+
 namespace ptb {
 namespace {
 
@@ -84,13 +86,14 @@ TEST(paired, what_fails_in_a_round_loses_its_blocks_and_is_recorded) {
 }
 
 TEST(paired, a_side_that_does_not_start_ends_the_run) {
-    ::setenv("FAKE_OPEN", "refuse", 1);
-    EXPECT_THROW(after_a_block("good", "good"), std::runtime_error);
-    ::setenv("FAKE_OPEN", "other-protocol", 1);
-    EXPECT_THROW(after_a_block("good", "good"), VersionMismatch);
-    ::setenv("FAKE_OPEN", "refuse-protocol", 1);
-    EXPECT_THROW(after_a_block("good", "good"), VersionMismatch);
-    ::unsetenv("FAKE_OPEN");
+    {
+        const Variable open("FAKE_OPEN", "refuse");
+        EXPECT_THROW(after_a_block("good", "good"), std::runtime_error);
+    }
+    for (const char* how : {"other-protocol", "refuse-protocol"}) {
+        const Variable open("FAKE_OPEN", how);
+        EXPECT_THROW(after_a_block("good", "good"), VersionMismatch);
+    }
 }
 
 TEST(paired, blocks_are_taken_of_all_cases_until_stopped) {

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/variable.h"
+
 namespace ptb {
 namespace {
 
@@ -39,11 +41,9 @@ std::vector<DeviceInfo> from(const std::string& icd, std::vector<DeviceInfo> dev
 }
 
 DeviceList probe_fake(const std::string& behaviour, int patience_ms = 5000) {
-    ::setenv("FAKE_PROBE", behaviour.c_str(), 1);
-    const DeviceList list = probe({{"/etc/fake.icd", "libfake.so"}}, {PTB_FAKE_WORKER, {}},
-                                  std::chrono::milliseconds(patience_ms));
-    ::unsetenv("FAKE_PROBE");
-    return list;
+    const Variable fake("FAKE_PROBE", behaviour);
+    return probe({{"/etc/fake.icd", "libfake.so"}}, {PTB_FAKE_WORKER, {}},
+                 std::chrono::milliseconds(patience_ms));
 }
 
 std::string reason_of(const DeviceList& list) {

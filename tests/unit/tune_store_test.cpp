@@ -1,13 +1,11 @@
-#include <cstdlib>
 #include <fstream>
-#include <optional>
-#include <string>
 
 #include <gmock/gmock.h>
 #include <unistd.h>
 
 #include "bench/tune/store.h"
 #include "core/input/usage_error.h"
+#include "tests/support/variable.h"
 
 namespace ptb {
 namespace {
@@ -95,32 +93,12 @@ TEST(tuned_lookup, says_what_is_stale) {
     EXPECT_EQ(stale(device(), "def"), "tuned for kernel abc, this is def");
 }
 
-/// An environment variable as it was before, when this ends.
-class Kept {
-  public:
-    explicit Kept(const char* name) : name_(name) {
-        if (const char* value = std::getenv(name)) value_ = value;
-    }
-    Kept(const Kept&) = delete;
-    Kept& operator=(const Kept&) = delete;
-    ~Kept() {
-        if (value_)
-            ::setenv(name_, value_->c_str(), 1);
-        else
-            ::unsetenv(name_);
-    }
-
-  private:
-    const char* name_;
-    std::optional<std::string> value_;
-};
-
 TEST(tune_file, lies_where_the_desktop_keeps_configs) {
-    const Kept config("XDG_CONFIG_HOME"), home("HOME");
-    ::setenv("XDG_CONFIG_HOME", "/x", 1);
-    EXPECT_EQ(default_tune_file(), "/x/ptbench/tune.json");
-    ::unsetenv("XDG_CONFIG_HOME");
-    ::setenv("HOME", "/h", 1);
+    {
+        const Variable config("XDG_CONFIG_HOME", "/x");
+        EXPECT_EQ(default_tune_file(), "/x/ptbench/tune.json");
+    }
+    const Variable config("XDG_CONFIG_HOME", std::nullopt), home("HOME", "/h");
     EXPECT_EQ(default_tune_file(), "/h/.config/ptbench/tune.json");
 }
 

@@ -29,12 +29,16 @@ constexpr Format all[] = {
 
 std::span<const Format> formats() { return all; }
 
+std::vector<std::string> format_names() {
+    std::vector<std::string> names;
+    for (const Format& format : all) names.emplace_back(format.name);
+    return names;
+}
+
 const Format& format_named(const std::string& name) {
-    std::vector<std::string> known;
-    for (const Format& format : all) {
+    for (const Format& format : all)
         if (format.name == name) return format;
-        known.emplace_back(format.name);
-    }
+    const std::vector<std::string> known = format_names();
     throw UsageError(fmt::format("--format: found {}{}; allowed: {}", printable(name),
                                  did_you_mean(name, known), fmt::join(known, ", ")));
 }

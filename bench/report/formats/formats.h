@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bench/record/record.h"
 
@@ -16,6 +17,7 @@ struct Format {
 
 /// All of them.
 std::span<const Format> formats();
+std::vector<std::string> format_names();
 /// Throws UsageError with the nearest name.
 const Format& format_named(const std::string& name);
 

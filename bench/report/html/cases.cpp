@@ -64,9 +64,8 @@ std::string map_cell(const Map& map, WorkGroup group, const Statistics& fastest)
 
 std::string map_table(const ResultFile& result, const Case& c, const Map& map) {
     std::set<int> widths, heights;
-    const auto fastest = std::min_element(map.begin(), map.end(), [](const auto& a, const auto& b) {
-        return a.second->statistics->median_ns < b.second->statistics->median_ns;
-    });
+    const auto fastest = std::min_element(
+        map.begin(), map.end(), [](const auto& a, const auto& b) { return faster(*a.second, *b.second); });
     for (const auto& [group, record] : map) {
         widths.insert(group.x);
         heights.insert(group.y);

@@ -49,20 +49,15 @@ std::int64_t spread(const std::vector<std::int64_t>& values) {
     return values.empty() ? 0 : *most - *least;
 }
 
-/// A column of its values, or of what they and the kernel's time differ by, whichever is shorter: a launch
-/// that waits for the one before it waits nearly as long as that takes. "kernel" says how to read it: 0 as it
-/// is, 1 added to the kernel's time, -1 taken off it.
+/// A column of its values, or, with "kernel", of what they are longer than the kernel's time, whichever is
+/// shorter: a launch that waits for the one before it waits nearly as long as that takes.
 Json append_time(std::string& bytes, const std::vector<TimeSample>& samples, Value value) {
-    const auto kernel = values_of(samples, [](const TimeSample& s) { return s.kernel_ns; });
     const auto plain = values_of(samples, value);
-    auto more = plain, less = plain;
-    for (std::size_t i = 0; i < plain.size(); ++i) {
-        more[i] = plain[i] - kernel[i];
-        less[i] = -more[i];
-    }
-    const int sign = spread(plain) <= spread(more) ? 0 : plain.front() >= kernel.front() ? 1 : -1;
-    Json json = append_column(bytes, sign == 0 ? plain : sign > 0 ? more : less);
-    json["kernel"] = sign;
+    auto longer = plain;
+    for (std::size_t i = 0; i < plain.size(); ++i) longer[i] -= samples[i].kernel_ns;
+    const bool kernel = spread(longer) < spread(plain);
+    Json json = append_column(bytes, kernel ? longer : plain);
+    json["kernel"] = kernel;
     return json;
 }
 

@@ -13,11 +13,11 @@ function sampleReader(bytes) {
     return values;
   };
   return ({cause, ...columns}) => {
-    const read = Object.entries(columns).map(([key, how]) => [key, how.kernel ?? 0, column(cause.length, how)]);
+    const read = Object.entries(columns).map(([key, how]) => [key, how.kernel, column(cause.length, how)]);
     const [[, , kernel]] = read;
-    const value = (sign, stored, i) => (sign === 0 ? stored[i] : kernel[i] + sign * stored[i]);
+    const value = (added, stored, i) => (added ? kernel[i] : 0) + stored[i];
     return cause.map((why, i) =>
-      ({...Object.fromEntries(read.map(([key, sign, stored]) => [key, value(sign, stored, i)])), cause: why}));
+      ({...Object.fromEntries(read.map(([key, added, stored]) => [key, value(added, stored, i)])), cause: why}));
   };
 }
 
