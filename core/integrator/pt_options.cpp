@@ -100,6 +100,7 @@ std::string pt_options(const ocl::Device& device, const Scene& scene, const Rend
     const bool lone_on_gpu = is_throughput_device(device) && job.lanes == 1;
     std::string text = common_options(device, job);
     text += fmt::format(" -DPTB_LANES={} -DPT_SIDE_WORDS={}", job.lanes, pt_scene.camera_sides.size());
+    if (job.lanes > 1) text += fmt::format(" -DPTB_WIDTH={}", device.info.native_float_width);
     text += fmt::format(" -DPT_SPHERES={} -DPT_SURFACES={}", places.spheres, places.surfaces);
     if (pt_scene.is_few())
         text +=

@@ -69,9 +69,9 @@ static inline lanes_mask lanes_all(void) { return (lanes_mask)(-1); }
    masks are whole registers, but LLVM packs one that outlives its block into bytes, and unpacks it at every use: 1.03 (two
    Zen 3 cores, PoCL). */
 static inline lanes_i lanes_hold(lanes_i value) {
-#if PTB_X86 == 8 && PTB_LANES == 8
+#if PTB_SIMD == 8 && PTB_LANES == 8 && defined(__AVX2__)
     __asm__ volatile("" : "+x"(value));
-#elif PTB_X86 == 8 && PTB_LANES == 16
+#elif PTB_SIMD == 8 && PTB_LANES == 16 && defined(__AVX2__)
     int8 low = value.lo, high = value.hi;
     __asm__ volatile("" : "+x"(low), "+x"(high));
     value = (int16)(low, high);

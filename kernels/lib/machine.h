@@ -22,13 +22,19 @@
 #define PTB_LANES 1
 #endif
 
-/* Floats in a register whose own instructions are used: 16 (AVX-512), 8 (AVX2) or 0. */
-#if PTB_LANES >= 16 && defined(__AVX512F__) && PTB_HAS(__builtin_ia32_permvarsf512) && PTB_HAS(__builtin_ia32_rsqrt14ps512_mask)
-#define PTB_X86 16
-#elif PTB_LANES >= 8 && defined(__AVX2__) && PTB_HAS(__builtin_ia32_permvarsf256) && PTB_HAS(__builtin_ia32_rsqrtps256)
-#define PTB_X86 8
+/* Floats in a register of the device, where the host tells: of CPUs. Intel's compiler reads the text before it knows the
+   machine, and defines no macro of it. */
+#ifndef PTB_WIDTH
+#define PTB_WIDTH 1
+#endif
+
+/* Floats in a register where clang's vectors are made use of: 16 (AVX-512), 8 (AVX2) or 0. */
+#if PTB_WIDTH >= 16 && PTB_LANES >= 16 && PTB_HAS(__builtin_shufflevector)
+#define PTB_SIMD 16
+#elif PTB_WIDTH >= 8 && PTB_LANES >= 8 && PTB_HAS(__builtin_shufflevector)
+#define PTB_SIMD 8
 #else
-#define PTB_X86 0
+#define PTB_SIMD 0
 #endif
 
 /* clang's reduction of a vector, which Oclgrind does not know. It belongs to no machine, so it is portable text too. */

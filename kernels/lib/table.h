@@ -30,24 +30,27 @@ typedef struct Table {
 #define LANES_GATHER(rows, index, member) (PTB_GLUE(LANES_GATHER_, PTB_LANES)(rows, index, member))
 #endif
 
-#define TABLE_PERMUTES (PTB_X86 && (PTB_LANES == PTB_X86 || PTB_LANES == 2 * PTB_X86))
+#define TABLE_PERMUTES (PTB_SIMD && (PTB_LANES == PTB_SIMD || PTB_LANES == 2 * PTB_SIMD))
 
-#if PTB_X86 == 16
-#define TABLE_PART(table, index) __builtin_ia32_permvarsf512((table)->row, as_int16(index))
-#elif PTB_X86 == 8
+/* clang takes elements by a vector of indices in one instruction where both fill a register. (Of OpenCL's shuffle Intel's
+   compiler makes bytes' permutes, PoCL's a loop.) */
+#if PTB_SIMD == 16
+static inline float16 table_part(const Table* table, uint16 index) {
+    return __builtin_shufflevector(table->row, as_int16(index));
+}
+#elif PTB_SIMD == 8
 static inline float8 table_part(const Table* table, uint8 index) {
-    const float8 low = __builtin_ia32_permvarsf256(table->row.lo, as_int8(index));
-    const float8 high = __builtin_ia32_permvarsf256(table->row.hi, as_int8(index));
+    const float8 low = __builtin_shufflevector(table->row.lo, as_int8(index));
+    const float8 high = __builtin_shufflevector(table->row.hi, as_int8(index));
     return select(low, high, index > 7u);
 }
-#define TABLE_PART table_part
 #endif
 
-#if TABLE_PERMUTES && PTB_LANES == PTB_X86
-static inline lanes_f table_lookup(const Table* table, lanes_u index) { return TABLE_PART(table, index); }
+#if TABLE_PERMUTES && PTB_LANES == PTB_SIMD
+static inline lanes_f table_lookup(const Table* table, lanes_u index) { return table_part(table, index); }
 #elif TABLE_PERMUTES
 static inline lanes_f table_lookup(const Table* table, lanes_u index) {
-    return (lanes_f)(TABLE_PART(table, index.lo), TABLE_PART(table, index.hi));
+    return (lanes_f)(table_part(table, index.lo), table_part(table, index.hi));
 }
 #endif
 

@@ -57,7 +57,7 @@ static inline lanes_u hit_face(const Hit* hit) { return hit->number; }
 /* Few spheres all at once: their zeros are known then. Of more, two a turn: their arithmetic fills each other's waits. */
 #ifdef PT_FEW
 #define HIT_LOOP _Pragma("unroll")
-#elif PTB_X86
+#elif PTB_SIMD
 #define HIT_LOOP _Pragma("clang loop unroll_count(2)")
 #else
 #define HIT_LOOP

@@ -35,9 +35,9 @@ static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint 
         s.field[5].row[i] = row.weight_eta.y;
         s.field[6].row[i] = row.weight_eta.z;
         s.field[7].row[i] = row.weight_eta.w;
-        s.field[8].row[i] = row.radiance.x;
-        s.field[9].row[i] = row.radiance.y;
-        s.field[10].row[i] = row.radiance.z;
+        s.field[8].row[i ^ 1] = row.radiance.x;
+        s.field[9].row[i ^ 1] = row.radiance.y;
+        s.field[10].row[i ^ 1] = row.radiance.z;
         s.field[11].row[i] = row.traits.x;
         s.field[12].row[i] = row.traits.y;
         s.field[13].row[i] = row.traits.z;
@@ -45,6 +45,9 @@ static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint 
     return s;
 }
 #define SURFACE_FIELD(surfaces, number, member, index) table_lookup(&(surfaces)->field[number], index)
+/* LLVM knows a permute only where its index is made in the same block; radiances are read in a later one, so they lie in
+   another order and have an index of their own. */
+#define RADIANCE_INDEX(face) ((face) ^ 1u)
 #define SURFACE_LESS_ETA_SQUARED(surfaces, eta_squared, index) (1.0f - (eta_squared)) /* is less than a lookup */
 
 #else
@@ -60,6 +63,7 @@ static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint 
     return s;
 }
 #define SURFACE_FIELD(surfaces, number, member, index) LANES_GATHER((surfaces)->rows, index, member)
+#define RADIANCE_INDEX(face) (face)
 #define SURFACE_LESS_ETA_SQUARED(surfaces, eta_squared, index) LANES_GATHER((surfaces)->rows, index, traits.w)
 
 #endif
@@ -83,8 +87,9 @@ static inline Surface surface_of(const Surfaces* all, lanes_u face) {
 
 /* Radiance that the face sends out. */
 static inline Vec radiance_of(const Surfaces* all, lanes_u face) {
-    return vec(SURFACE_FIELD(all, 8, radiance.x, face), SURFACE_FIELD(all, 9, radiance.y, face),
-               SURFACE_FIELD(all, 10, radiance.z, face));
+    const lanes_u index = RADIANCE_INDEX(face);
+    return vec(SURFACE_FIELD(all, 8, radiance.x, index), SURFACE_FIELD(all, 9, radiance.y, index),
+               SURFACE_FIELD(all, 10, radiance.z, index));
 }
 
 #endif

@@ -11,7 +11,7 @@
 #define PT_RSQRT_FLOPS 0u
 #define PT_RSQRT_ROOTS 1u
 #define PT_RSQRT_DIVISIONS 0u
-#elif PTB_X86 && (PTB_LANES == PTB_X86 || PTB_LANES == 2 * PTB_X86)
+#elif RSQRT_ESTIMATED
 #define PT_RSQRT_FLOPS 5u /* an estimate, and a Newton step */
 #define PT_RSQRT_ROOTS 0u
 #define PT_RSQRT_DIVISIONS 0u

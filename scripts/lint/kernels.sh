@@ -36,12 +36,14 @@ while IFS= read -r kernel; do
         check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3 -DPT_SPHERES=2 -DPT_SURFACES=2 -DPT_FILTER=1
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_STRICT -DPT_SPHERES=4 -DPT_SURFACES=4 -DPTB_PARK_MILLER
         check "$kernel" "${portable[@]}" -DPT_SPHERES=3 -DPT_SURFACES=3 -DPT_COUNT=40 -DPT_FACES=45 -DPT_FILTER=2
-        # With these the tables become register permutes.
-        for machine in '-mavx512f -mavx512vl' '-mavx2 -mfma'; do
-            # shellcheck disable=SC2086 # two words
-            check "$kernel" -target x86_64-unknown-linux-gnu $machine "-DPTB_LANES=$lanes" "${few[@]}"
-            # shellcheck disable=SC2086 # two words
-            check "$kernel" -target x86_64-unknown-linux-gnu $machine "-DPTB_LANES=$lanes" "${few[@]}" -DPTB_COUNT
+        # With these the tables become register permutes: for PoCL's compiler and for Intel's.
+        x86='-target x86_64-unknown-linux-gnu'
+        for machine in "$x86 -mavx512f -mavx512vl -DPTB_WIDTH=16" "$x86 -mavx2 -mfma -DPTB_WIDTH=8" \
+            '-target spir64 -D__INTEL_LLVM_COMPILER -DPTB_WIDTH=16' '-target spir64 -D__INTEL_LLVM_COMPILER -DPTB_WIDTH=8'; do
+            # shellcheck disable=SC2086 # several words
+            check "$kernel" $machine "-DPTB_LANES=$lanes" "${few[@]}"
+            # shellcheck disable=SC2086 # several words
+            check "$kernel" $machine "-DPTB_LANES=$lanes" "${few[@]}" -DPTB_COUNT
         done
     done
     check "$kernel" -target spir64 "${few[@]}" -DPT_CARRIED -DPT_SURFACES=3 -DPT_BATCH=6
