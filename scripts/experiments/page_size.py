@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """How large a page of 1,000 cases x 200 samples with eight pictures is, and how soon Chromium has it usable.
 
-usage: page_size.py RESULT.json     (of a run, its pictures beside it; build/release/bin/ptbench makes the page)
+usage: page_size.py RESULT.json     (of a run with --samples 200, its pictures beside it; build/release/bin/ptbench
+                                     makes the page)
 
-Cases and pictures are those of the result, again and again with noise on all that a clock gives: kernel times +-1 %,
-the other times +-20 %, so that nothing compresses because it was copied. What waits for a kernel waits as long as that
-takes but for some time, which gets the noise."""
+Cases and pictures are those of the result, again and again, each time with a case's samples in another order, so that
+nothing compresses because it was copied: the page holds as much noise as clocks really have."""
 
 import copy
 import json
@@ -24,22 +24,8 @@ from browser import Browser  # noqa: E402
 CASES, SAMPLES, DEVICES = 1000, 200, 8
 
 
-def noisy_samples(samples, draw):
-    made = []
-    for _ in range(SAMPLES):
-        real = draw.choice(samples)
-        kernel = round(real["kernel_ns"] * draw.gauss(1, 0.01))
-        sample = {**real, "kernel_ns": kernel, "sum_ns": kernel}
-        for key in ("host_ns", "queued_ns", "submit_ns", "probe_ns"):
-            waits = real[key] > real["kernel_ns"] / 2
-            rest = real[key] - real["kernel_ns"] if waits else real[key]
-            sample[key] = waits * kernel + round(rest * draw.uniform(0.8, 1.2))
-        made.append(sample)
-    return made
-
-
 def large(result, draw):
-    timed = [case for case in result["cases"] if case["samples"]]
+    timed = [case for case in result["cases"] if len(case["samples"]) >= SAMPLES]
     made = copy.deepcopy(result)
     made["devices"] = [{**result["devices"][i % len(result["devices"])], "key": f"gpu:{i}", "name": f"Device number {i}"}
                        for i in range(DEVICES)]
@@ -48,7 +34,7 @@ def large(result, draw):
         case = copy.deepcopy(timed[i % len(timed)])
         case["params"] |= {"device": f"gpu:{i % DEVICES}", "work_group": str(1 + i // DEVICES) if i >= 48 else "implicit",
                            "spp": 2 ** (i // DEVICES % 6)}
-        case["samples"] = noisy_samples(case["samples"], draw)
+        case["samples"] = draw.sample(case["samples"], SAMPLES)
         times = sorted(sample["kernel_ns"] for sample in case["samples"])
         case["statistics"] |= {"n": SAMPLES, "median_ns": statistics.median(times), "ci_low_ns": times[86],
                                "ci_high_ns": times[113], "mean_ns": statistics.mean(times), "min_ns": times[0],

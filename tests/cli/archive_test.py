@@ -1,6 +1,5 @@
 """The archive of real machines' results: its files may be there, and its index page holds them as they are."""
 
-import base64
 import json
 import pathlib
 import re
@@ -17,28 +16,50 @@ ARCHIVE = SOURCE / "results/archive"
 DEVICE = "amd/epyc-avx2-intel"  # the one with the fewest results
 
 
-def sample_columns(cause, columns, data):
-    """Samples from what bench/report/html/packed.h says of their bytes; the rest of those."""
-    samples = [{"cause": why} for why in cause]
-    for key in columns:
-        values = [columns[key]["from"]] * len(cause)
-        for plane in range(columns[key]["planes"]):
-            values = [value + (byte << 8 * plane) for value, byte in zip(values, data)]
-            data = data[len(cause):]
-        for sample, value in zip(samples, values):
-            sample[key] = value + (sample["kernel_ns"] if columns[key].get("kernel") else 0)
-    return samples, data
+def from_base91(text):
+    """The bytes that bench/report/html/packed.cpp wrote as text."""
+    digits = [(60 if code == 33 else code) - 35 for code in text.encode()]
+    pairs = [(low + 91 * high, 13) for low, high in zip(digits[::2], digits[1::2])]
+    groups = pairs + [(digit, 6) for digit in digits[2 * len(pairs):]]
+    bits = "".join(f"{value:0{count}b}"[::-1] for value, count in groups)
+    return bytes(int(bits[i:i + 8][::-1], 2) for i in range(0, len(bits) - 7, 8))
+
+
+class Bits:
+    """Reads what bench/report/html/exp_golomb.h writes."""
+
+    def __init__(self, data):
+        self.digits = "".join(f"{byte:08b}" for byte in data)
+        self.at = 0
+
+    def number(self, order):
+        one = self.digits.index("1", self.at)
+        end = 2 * one - self.at + order + 1
+        self.at, code = end, self.digits[one:end]
+        return int(code, 2) - 2 ** order
+
+
+def samples_of(columns, bits):
+    """A case's samples, from what bench/report/html/packed.h says of its columns."""
+    samples = [{"cause": cause} for cause in columns.pop("cause")]
+    for key, column in columns.items():
+        for sample in samples:
+            number = bits.number(column["order"])
+            difference = -(number + 1) // 2 if number % 2 else number // 2
+            sample[key] = column["middle"] + column["step"] * difference + (sample["kernel_ns"] if column.get("kernel") else 0)
+    return samples
 
 
 def results_in(page):
     """The results that a page carries, by their names."""
     found = {}
     for block in re.findall(r'class="data">([^<]*)<', page.read_text(encoding="utf-8")):
-        head, _, data = zlib.decompress(base64.b64decode(block)).partition(b"\n")
+        head, _, data = zlib.decompress(from_base91(block)).partition(b"\n")
         packed = json.loads(head)
         result = json.loads(packed["text"])
+        bits = Bits(data)
         for case, columns in zip(result["cases"], packed["samples"], strict=True):
-            case["samples"], data = sample_columns(columns.pop("cause"), columns, data)
+            case["samples"] = samples_of(columns, bits)
         found[packed["name"]] = result
     return found
 

@@ -37,17 +37,15 @@ TEST(Html, tables_are_tables_with_captions_headings_and_links) {
     Grid grid{{{"device"}, {"ms", true}}, {{"<H200>", "10"}, {"FX", "2"}}};
     grid.best = {1};
     const auto html = html_table(grid, "times & more", {"sortable", {"r0c0", ""}, "", {}, 0});
-    EXPECT_THAT(html, AllOf(HasSubstr("<caption>times &amp; more</caption>"),
-                            HasSubstr("<th scope=\"col\" class=\"n\">ms</th>"),
-                            HasSubstr("<td><a href=\"#r0c0\">&lt;H200&gt;</a></td><td class=\"n\">10</td>"),
-                            HasSubstr("<tr class=\"best\"><td>FX</td>")));
+    EXPECT_THAT(html,
+                AllOf(HasSubstr("<caption>times &amp; more</caption>"), HasSubstr("<th scope=col class=n>ms"),
+                      HasSubstr("<td><a href=\"#r0c0\">&lt;H200&gt;</a><td class=n>10"),
+                      HasSubstr("<tr class=best><td>FX<td")));
 }
 
 TEST(Html, facts_show_every_value_of_json) {
     EXPECT_EQ(html_facts(parse_json(R"({"a": [1, "<x>"], "b": {}})", "test")),
-              "<dl><dt>a</dt><dd><dl><dt>0</dt><dd>1</dd><dt>1</dt><dd>&lt;x&gt;</dd></dl>\n</dd><dt>b</"
-              "dt><dd>-</dd>"
-              "</dl>\n");
+              "<dl><dt>a<dd><dl><dt>0<dd>1<dt>1<dd>&lt;x&gt;</dl>\n<dt>b<dd>-</dl>\n");
 }
 
 Record timed_in_groups(int x, int y, double ms) {
@@ -62,12 +60,12 @@ Record timed_in_groups(int x, int y, double ms) {
 TEST(Html, two_dimensional_work_groups_are_a_map_with_the_fastest_marked) {
     ResultFile f;
     f.cases = {timed_in_groups(4, 4, 8), timed_in_groups(8, 4, 4), timed_in_groups(4, 8, 5)};
-    EXPECT_THAT(work_group_maps(f), AllOf(HasSubstr("<td class=\"n shade-0\">4.000 (fastest)</td>"),
-                                          HasSubstr("<td class=\"n shade-2\">5.000</td><td>-</td>"),
-                                          HasSubstr("<td class=\"n shade-7\">8.000</td>")));
+    EXPECT_THAT(work_group_maps(f), AllOf(HasSubstr("<td class=\"n shade-0\">4.000 (fastest)<"),
+                                          HasSubstr("<td class=\"n shade-2\">5.000<td>-"),
+                                          HasSubstr("<td class=\"n shade-7\">8.000<")));
     f.cases[1].statistics->ci_high_ns = 5.2e6;
     f.cases[2].statistics->ci_low_ns = 4.9e6;
-    EXPECT_THAT(work_group_maps(f), HasSubstr("5.000 (as fast)</td>"));
+    EXPECT_THAT(work_group_maps(f), HasSubstr("5.000 (as fast)<"));
     f.cases.pop_back();
     EXPECT_EQ(work_group_maps(f), "") << "two sizes are no map";
 }

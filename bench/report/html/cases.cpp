@@ -55,11 +55,11 @@ int shade(double ns, double fastest) {
 
 std::string map_cell(const Map& map, WorkGroup group, const Statistics& fastest) {
     const auto found = map.find(group);
-    if (found == map.end()) return "<td>-</td>";
+    if (found == map.end()) return "<td>-";
     const double ns = found->second->statistics->median_ns;
     const std::string mark = mark_text(*found->second, fastest);
-    return fmt::format("<td class=\"n shade-{}\">{}{}</td>", shade(ns, fastest.median_ns),
-                       number_text(ms(ns)), mark.empty() ? "" : " (" + mark + ")");
+    return fmt::format("<td class=\"n shade-{}\">{}{}", shade(ns, fastest.median_ns), number_text(ms(ns)),
+                       mark.empty() ? "" : " (" + mark + ")");
 }
 
 std::string map_table(const ResultFile& result, const Case& c, const Map& map) {
@@ -71,17 +71,17 @@ std::string map_table(const ResultFile& result, const Case& c, const Map& map) {
         heights.insert(group.y);
     }
     std::string head, body;
-    for (const int x : widths) head += fmt::format("<th scope=\"col\" class=\"n\">{}</th>", x);
+    for (const int x : widths) head += fmt::format("<th scope=col class=n>{}", x);
     for (const int y : heights) {
-        body += fmt::format("<tr><th scope=\"row\" class=\"n\">{}</th>", y);
+        body += fmt::format("<tr><th scope=row class=n>{}", y);
         for (const int x : widths) body += map_cell(map, {x, y}, *fastest->second->statistics);
         body += "</tr>\n";
     }
     const std::string caption = fmt::format("work-groups of {}, {}: ms, widths across, heights down",
                                             device_label(result, c.device), case_text(c));
     return fmt::format(
-        "<div class=\"scroll\" tabindex=\"0\"><table><caption>{}</caption><thead><tr><td></td>{}</tr>"
-        "</thead><tbody>\n{}</tbody></table></div>\n",
+        "<div class=\"scroll\" tabindex=\"0\"><table><caption>{}</caption><thead><tr><td>{}</tr>"
+        "<tbody>\n{}</table></div>\n",
         html_text(caption), head, body);
 }
 
@@ -99,10 +99,9 @@ std::string case_list(const PageRun& run, std::size_t index) {
     std::string html;
     for (std::size_t i = 0; i < run.result.cases.size(); ++i) {
         const Record& record = run.result.cases[i];
-        html +=
-            fmt::format("<details id=\"{}\"><summary>{} {}: {}</summary>{}</details>\n", case_id(index, i),
-                        html_text(record.params.device), html_text(case_text(record.params)),
-                        html_text(outcome_text(record)), record_facts(record));
+        html += fmt::format("<details id={}><summary>{} {}: {}</summary>{}</details>\n", case_id(index, i),
+                            html_text(record.params.device), html_text(case_text(record.params)),
+                            html_text(outcome_text(record)), record_facts(record));
     }
     return fmt::format("<details class=\"all-cases\"><summary>{} cases</summary>\n{}</details>\n",
                        run.result.cases.size(), html);

@@ -9,20 +9,21 @@
 namespace ptb {
 namespace {
 
+/// End tags of cells, dt and dd may be left out, and there are thousands.
 std::string cell(const Column& column, const std::string& text, const std::string& link) {
-    if (column.bar) return fmt::format("<td><meter value=\"{0}\">{0}</meter></td>", html_text(text));
+    if (column.bar) return fmt::format("<td><meter value=\"{0}\">{0}</meter>", html_text(text));
     const std::string safe = html_text(text);
     const std::string content =
         link.empty() ? safe : fmt::format("<a href=\"#{}\">{}</a>", html_text(link), safe);
-    return fmt::format("<td{}>{}</td>", column.number ? " class=\"n\"" : "", content);
+    return fmt::format("<td{}>{}", column.number ? " class=n" : "", content);
 }
 
 std::string head(const Grid& grid, const TableExtras& extras) {
     std::string cells;
     for (std::size_t j = 0; j < grid.columns.size(); ++j) {
         if (j == extras.place && !extras.cells.empty())
-            cells += fmt::format("<th scope=\"col\">{}</th>", html_text(extras.title));
-        cells += fmt::format("<th scope=\"col\"{}>{}</th>", grid.columns[j].number ? " class=\"n\"" : "",
+            cells += fmt::format("<th scope=col>{}", html_text(extras.title));
+        cells += fmt::format("<th scope=col{}>{}", grid.columns[j].number ? " class=n" : "",
                              html_text(grid.columns[j].title));
     }
     return cells;
@@ -31,11 +32,11 @@ std::string head(const Grid& grid, const TableExtras& extras) {
 std::string row(const Grid& grid, std::size_t i, const TableExtras& extras) {
     std::string cells;
     for (std::size_t j = 0; j < grid.columns.size(); ++j) {
-        if (j == extras.place && !extras.cells.empty()) cells += fmt::format("<td>{}</td>", extras.cells[i]);
+        if (j == extras.place && !extras.cells.empty()) cells += "<td>" + extras.cells[i];
         cells +=
             cell(grid.columns[j], grid.rows[i][j], j == 0 && !extras.links.empty() ? extras.links[i] : "");
     }
-    return fmt::format("<tr{}>{}</tr>\n", grid.best.contains(i) ? " class=\"best\"" : "", cells);
+    return fmt::format("<tr{}>{}</tr>\n", grid.best.contains(i) ? " class=best" : "", cells);
 }
 
 std::string value_text(const Json& json) {
@@ -91,7 +92,7 @@ std::string html_table(const Grid& grid, const std::string& caption, const Table
     for (std::size_t i = 0; i < grid.rows.size(); ++i) body += row(grid, i, extras);
     return fmt::format(
         "<div class=\"scroll\" tabindex=\"0\"><table class=\"{}\"><caption>{}</caption>"
-        "<thead><tr>{}</tr></thead><tbody>\n{}</tbody></table></div>\n",
+        "<thead><tr>{}</tr><tbody>\n{}</table></div>\n",
         extras.css_class, html_text(caption), head(grid, extras), body);
 }
 
@@ -108,7 +109,7 @@ std::string html_facts(const Json& json) {
     if (json.empty()) return "-";
     std::string items;
     for (const auto& [key, value] : json.items())
-        items += fmt::format("<dt>{}</dt><dd>{}</dd>", html_text(key), html_facts(value));
+        items += fmt::format("<dt>{}<dd>{}", html_text(key), html_facts(value));
     return fmt::format("<dl>{}</dl>\n", items);
 }
 

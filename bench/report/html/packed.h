@@ -6,9 +6,10 @@
 
 namespace ptb {
 
-/// A result so small that its page can carry it: JSON of the result file's text without samples ("text") and
-/// of the samples column by column ("samples", one a case), under the run's "name", deflated, in base64.
-/// page/data.js makes the file's text of it again, byte by byte.
+/// A result so small that its page can carry it: a line of JSON, with the run's "name", the result file's
+/// text without samples ("text") and how to read those, column by column, a case after another ("samples");
+/// behind it the columns' bits. All deflated, in base 91. page/data.js makes the file's text of it again,
+/// byte by byte.
 std::string packed(const ResultFile& result, const std::string& name);
 
 /// Any text, likewise: {"text": ..., "samples": []}.

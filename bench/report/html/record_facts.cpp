@@ -28,14 +28,6 @@ std::string samples(const Statistics& s) {
     return fmt::format("{}, {} flagged, clock: {}, ended by {}", s.n, s.flagged, clock, s.stop_reason);
 }
 
-std::string work(const Work& w, const std::optional<Statistics>& s) {
-    const std::string rates = s ? fmt::format(" at {} M and {} M a second", number_text(s->msamples_per_s),
-                                              number_text(s->msegments_per_s))
-                                : "";
-    return fmt::format("{} samples, {} segments{}; lanes {}, passes {}, renders {}", w.samples, w.segments,
-                       rates, w.lanes, w.passes, w.renders);
-}
-
 std::string image(const Validation& v) {
     std::string text = fmt::format("{}, against {}", v.valid ? "right" : "wrong: " + v.reason, v.against);
     if (v.max_abs_z && v.z_limit) text += fmt::format(", block z {:.2f} of {:.2f}", *v.max_abs_z, *v.z_limit);
@@ -44,14 +36,10 @@ std::string image(const Validation& v) {
 }
 
 std::string build(const Build& b) {
-    std::string text = fmt::format("kernel {}{}, {} ms, first launch {} ms", b.kernel_hash,
-                                   b.overridden ? " (overridden)" : "", number_text(b.build_ms),
-                                   ms_text(static_cast<double>(b.first_launch_ns)));
-    if (!b.options.empty()) text += ", " + b.options;
-    return text;
+    return fmt::format("kernel {}{}, {} ms", b.kernel_hash, b.overridden ? " (overridden)" : "",
+                       number_text(b.build_ms));
 }
 
-/// End tags of dt and dd may be left out, and there are thousands.
 std::string item(const char* name, const std::string& text) {
     return text.empty() ? "" : fmt::format("<dt>{}<dd>{}", name, html_text(text));
 }
@@ -60,14 +48,13 @@ std::string item(const char* name, const std::string& text) {
 
 std::string record_facts(const Record& record) {
     const auto& b = record.build;
-    const auto& s = record.statistics;
     const auto& energy = record.energy;
     std::string items = item("reason", record.reason);
-    if (s) items += item("times, ms", times(*s)) + item("samples", samples(*s));
-    if (record.work) items += item("work", work(*record.work, s));
+    if (const auto& s = record.statistics)
+        items += item("times, ms", times(*s)) + item("samples", samples(*s));
     if (record.validation) items += item("image", image(*record.validation));
-    if (b) items += item("build", build(*b));
     if (energy && energy->joules) items += item("energy", number_text(*energy->joules) + " J a render");
+    if (b) items += item("build", build(*b));
     if (b && !b->log.empty() && !timed(record))
         items += fmt::format("<dt>build log<dd><pre>{}</pre>", html_lines(shortened(b->log, most_log)));
     return items.empty() ? "" : fmt::format("<noscript><dl>{}</dl></noscript>", items);
