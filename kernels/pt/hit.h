@@ -126,7 +126,8 @@ static inline void offer_opaque(Hit* hit, Scene scene, const Line* line, const R
     HIT_LOOP
     for (uint i = 0; i < scene.opaque; ++i) {
         const Quadratic e = quadratic_of(scene.spheres[i].centre_k, i, line, ray, hit);
-        hit_offer(hit, e.b - lanes_sqrt(e.d), (lanes_u)(opaque_face(scene, i)), scene.distance_mask);
+        const lanes_f root = i % 2u == 1u ? lanes_sqrt_beside(e.d) : lanes_sqrt(e.d);
+        hit_offer(hit, e.b - root, (lanes_u)(opaque_face(scene, i)), scene.distance_mask);
     }
 }
 

@@ -54,7 +54,7 @@ PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_
             path.throughput = vec_mul(path.throughput, surface.weight);
             COUNTED_SEGMENTS(counted_lanes(alive))
             COUNTED(1u, PT_STEP_WORK(scene.count))
-            COUNTED_LANES(alive, PT_SEGMENT_WORK(scene.count))
+            COUNTED_LANES(alive, PT_SEGMENT_WORK(scene))
             COUNTED(two_sided_spheres(scene) > 0u ? counted_lanes(alive) : 0u, PT_REFRACTION_WORK)
             scatter(scene, &path.ray, &path.inside, &hit, &surface, &draw);
             turn = uint_hold(turn + 1u);

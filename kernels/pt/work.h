@@ -68,11 +68,15 @@
 #define PT_SPHERE_BYTES (PT_SPHERES == PT_IN_GLOBAL ? (uint)sizeof(PtSphere) : 0u)
 #define PT_SURFACE_BYTES(read) (PT_SURFACES == PT_IN_GLOBAL ? (read) : 0u)
 
+/* Spheres whose root is an estimate and a Newton step, of 6 flops. */
+#define PT_ESTIMATES(scene) (SQRT_ESTIMATED * ((scene).opaque / 2u))
+
 /* A segment, throughput too, and the numbers of its surface. */
-#define PT_SEGMENT_WORK(spheres)                                                                             \
-    (PT_LINE_FLOPS + (spheres) * PT_TEST_FLOPS - PT_SAVED_FLOPS + PT_GATHER_FLOPS + 3u + PT_SCATTER_FLOPS +  \
-     PT_SPHERE_FLOPS + PT_NORMALIZE_FLOPS),                                                                  \
-        ((spheres) + PT_SPHERE_ROOTS + PT_RSQRT_ROOTS), PT_RSQRT_DIVISIONS, PT_SURFACE_BYTES(48u)
+#define PT_SEGMENT_WORK(scene)                                                                                     \
+    (PT_LINE_FLOPS + (scene).count * PT_TEST_FLOPS + PT_ESTIMATES(scene) * 6u - PT_SAVED_FLOPS + PT_GATHER_FLOPS + \
+     3u + PT_SCATTER_FLOPS + PT_SPHERE_FLOPS + PT_NORMALIZE_FLOPS),                                                \
+        ((scene).count - PT_ESTIMATES(scene) + PT_SPHERE_ROOTS + PT_RSQRT_ROOTS), PT_RSQRT_DIVISIONS,              \
+        PT_SURFACE_BYTES(48u)
 /* The spheres, which all lanes of a work-item share. */
 #define PT_STEP_WORK(spheres) 0u, 0u, 0u, (spheres) * PT_SPHERE_BYTES
 /* Refraction, which every ray works out in scenes with two-sided spheres. */
