@@ -62,9 +62,9 @@ static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint 
     s.rows = rows;
     return s;
 }
-#define SURFACE_FIELD(surfaces, number, member, index) LANES_GATHER((surfaces)->rows, index, member)
+#define SURFACE_FIELD(surfaces, number, member, index) LANES_GATHER(float, (surfaces)->rows, index, .member)
 #define RADIANCE_INDEX(face) (face)
-#define SURFACE_LESS_ETA_SQUARED(surfaces, eta_squared, index) LANES_GATHER((surfaces)->rows, index, traits.w)
+#define SURFACE_LESS_ETA_SQUARED(surfaces, eta_squared, index) LANES_GATHER(float, (surfaces)->rows, index, .traits.w)
 
 #endif
 

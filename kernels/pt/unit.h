@@ -103,13 +103,8 @@ static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, uint turn, v
     const lanes_u run = lanes_divide(number, launch->pixels, launch->inverse_pixels);
     const lanes_u pixel = number - run * launch->pixels + launch->first_pixel;
     const lanes_u row = lanes_divide(pixel, launch->width, launch->inverse_width);
-    const lanes_u none = (lanes_u)(0u);
-    lanes_u first = none, end = none;
-    for (uint lane = 0; lane < PTB_LANES; ++lane) {
-        __global const uint* start = run_starts + launch->first_run + LANE(run, lane);
-        LANE(first, lane) = start[0];
-        LANE(end, lane) = start[1];
-    }
+    __global const uint* starts = run_starts + launch->first_run;
+    const lanes_u first = LANES_GATHER(uint, starts, run, ), end = LANES_GATHER(uint, starts + 1, run, );
     unit->number = lanes_select_u(unit->number, number, got);
     unit->pixel_hash = lanes_select_u(unit->pixel_hash, random_of_pixel(pixel, launch->seed), got);
     unit->column = lanes_select(unit->column, lanes_to_f(pixel - row * launch->width) - 1.0f, got);
