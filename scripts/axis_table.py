@@ -6,6 +6,7 @@ usage: axis_table.py RESULT.json...     of the configs memory, queues, quality a
 A cell is the time over that of the axis' first value in the same run, all else equal: 2 is twice as long."""
 
 import json
+import re
 import sys
 
 AXES = ("scene_memory", "film_memory", "queue", "dispatch", "pixel_filter", "rng", "build", "work_group")
@@ -36,7 +37,7 @@ def title(result, record, axis):
     more = [f"{key} {value}" for key, value in record["params"].items()
             if key in AXES and key != axis and value not in usual]
     said = " ".join(f"{key} {record['params'][key]}" for key in SAID)
-    return ", ".join([device["name"].split("-AMD")[0] if device["type"] == "CPU" else device["name"],
+    return ", ".join([re.split("-(?:AMD|Intel)", device["name"])[0] if device["type"] == "CPU" else device["name"],
                       f"{record['params']['kernel']} {said}", *more])
 
 

@@ -13,7 +13,7 @@ import zlib
 from ptbench import BINARY, SOURCE
 
 ARCHIVE = SOURCE / "results/archive"
-DEVICE = "amd/epyc-avx2-intel"  # the one with the fewest results
+DEVICE = "intel/xeon-avx512-intel"  # the one with the fewest results
 
 
 def from_base91(text):
