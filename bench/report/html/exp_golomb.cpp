@@ -6,7 +6,9 @@ namespace ptb {
 namespace {
 
 /// Digits of `value` + 2^order beyond the order + 1 that it has at least.
-int more_digits(std::uint64_t value, int order) { return std::bit_width((value >> order) + 1) - 1; }
+int more_digits(std::uint64_t value, int order) {
+    return static_cast<int>(std::bit_width((value >> order) + 1)) - 1;
+}
 
 std::uint64_t code_length(const std::vector<std::uint64_t>& values, int order) {
     std::uint64_t length = 0;

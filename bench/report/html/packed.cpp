@@ -31,15 +31,15 @@ std::uint64_t difference(std::int64_t a, std::int64_t b) {
 }
 
 /// Times, each of them middle + step * difference. What noise adds to them cannot be compressed.
-struct Column {
+struct TimeColumn {
     std::int64_t middle = 0;
     std::uint64_t step = 1;                  ///< of the clock: 32 ns on NVIDIA's devices
     std::vector<std::uint64_t> differences;  ///< 0, -1, 1, -2, 2, ... as 0, 1, 2, 3, 4, ...
     ExpGolomb code;                          ///< of them
 };
 
-Column column_of(const std::vector<std::int64_t>& values) {
-    Column column;
+TimeColumn column_of(const std::vector<std::int64_t>& values) {
+    TimeColumn column;
     if (values.empty()) return column;
     auto sorted = values;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
@@ -59,7 +59,7 @@ Column column_of(const std::vector<std::int64_t>& values) {
 }
 
 /// What is returned tells how to read the bits that are appended.
-Json append_column(BitString& bits, const Column& column) {
+Json append_column(BitString& bits, const TimeColumn& column) {
     for (const std::uint64_t value : column.differences) append_exp_golomb(bits, value, column.code.order);
     return {{"middle", column.middle}, {"step", column.step}, {"order", column.code.order}};
 }
@@ -79,7 +79,7 @@ Json append_time(BitString& bits, const std::vector<TimeSample>& samples, Value 
     auto longer = plain;
     for (std::size_t i = 0; i < plain.size(); ++i)
         longer[i] = static_cast<std::int64_t>(difference(plain[i], samples[i].kernel_ns));
-    const Column columns[] = {column_of(plain), column_of(longer)};
+    const TimeColumn columns[] = {column_of(plain), column_of(longer)};
     const bool kernel = columns[1].code.bits < columns[0].code.bits;
     Json json = append_column(bits, columns[kernel]);
     json["kernel"] = kernel;
