@@ -12,7 +12,8 @@ int more_digits(std::uint64_t value, int order) {
 
 std::uint64_t code_length(const std::vector<std::uint64_t>& values, int order) {
     std::uint64_t length = 0;
-    for (const std::uint64_t value : values) length += 2 * more_digits(value, order) + 1 + order;
+    for (const std::uint64_t value : values)
+        length += static_cast<std::uint64_t>(2 * more_digits(value, order) + 1 + order);
     return length;
 }
 
@@ -26,7 +27,8 @@ void BitString::append(std::uint64_t value, int count) {
         }
         --count;
         --free_;
-        bytes_.back() = static_cast<char>(bytes_.back() | (value >> count & 1) << free_);
+        const std::uint64_t bit = value >> count & 1;
+        bytes_.back() = static_cast<char>(static_cast<unsigned char>(bytes_.back()) | bit << free_);
     }
 }
 

@@ -100,7 +100,7 @@ Json append_samples(BitString& bits, const std::vector<TimeSample>& samples) {
 }
 
 /// 13 bits, the lowest first, in two digits of base 91, which are ASCII from '#' on, with '!' for '<': a
-/// twelfth shorter than base64. What is left of up to 6 bits is one digit.
+/// thirteenth shorter than base64. What is left of up to 6 bits is one digit.
 std::string base91(std::string_view bytes) {
     std::string text;
     const auto append_digit = [&](unsigned digit) {
@@ -109,7 +109,7 @@ std::string base91(std::string_view bytes) {
     };
     unsigned bits = 0, count = 0;
     for (const char byte : bytes) {
-        bits |= static_cast<unsigned char>(byte) << count;
+        bits |= unsigned{static_cast<unsigned char>(byte)} << count;
         count += 8;
         if (count < 13) continue;
         append_digit((bits & 0x1fff) % 91);
