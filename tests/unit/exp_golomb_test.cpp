@@ -39,7 +39,7 @@ TEST(ExpGolomb, the_best_code_is_the_shortest) {
     EXPECT_EQ(large.order, 10);
     EXPECT_EQ(large.bits, 33u);
     BitString bits;
-    for (const std::uint64_t value : {1000, 1001, 1023}) append_exp_golomb(bits, value, large.order);
+    for (const std::uint64_t value : {1000u, 1001u, 1023u}) append_exp_golomb(bits, value, large.order);
     EXPECT_EQ(bits.bytes().size(), 5u);
 }
 
