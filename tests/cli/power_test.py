@@ -21,8 +21,8 @@ WRONG = (
     ("a sample too many counted", "pt/unit.h", "tally.samples = LANE(unit->counts, lane) % PT_FULL_LENGTH",
      "tally.samples = (LANE(unit->counts, lane) % PT_FULL_LENGTH) + (LANE(unit->number, lane) == 77u ? 1u : 0u)", "samples counted"),
     ("a sample too few rendered", "pt/unit.h",
-     "LANE(end, lane) = start[1];",
-     "LANE(end, lane) = start[1] - 1u;",
+     "end = LANES_GATHER(uint, starts + 1, run, );",
+     "end = LANES_GATHER(uint, starts + 1, run, ) - 1u;",
      "samples counted"),
     ("NaN in one pixel", "pt/pt.cl", "    film[launch.first_pixel + pixel] =\n",
      "    if (launch.first_pixel + pixel == 4321u) film[launch.first_pixel + pixel].radiance.x = NAN;\n"
