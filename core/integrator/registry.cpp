@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/integrator/pt.h"
+#include "core/integrator/engine.h"
 #include "core/integrator/thesis.h"
 #include "core/integrator/variant_support.h"
 

@@ -3,25 +3,25 @@
 #ifndef PTB_PROBE_FIELDS_H
 #define PTB_PROBE_FIELDS_H
 
-#include "shared/pt.h"
+#include "shared/engine.h"
 #include "shared/thesis.h"
 
 #define PTB_SHARED_FIELDS(S, F)                                                                       \
     S(PtbCamera) F(PtbCamera, position) F(PtbCamera, corner) F(PtbCamera, step_x) F(PtbCamera, step_y) \
-    S(PtSphere) F(PtSphere, centre_k)                                                                 \
-    S(PtSurface) F(PtSurface, centre_matte) F(PtSurface, weight_eta) F(PtSurface, radiance)           \
-    F(PtSurface, traits) F(PtSurface, padding)                                                        \
-    S(PtFewSpheres) F(PtFewSpheres, sphere) S(PtStart) F(PtStart, position_side) F(PtStart, gap)      \
-    F(PtStart, distance_mask)                                                                         \
-    S(PtLaunch) F(PtLaunch, camera) F(PtLaunch, width) F(PtLaunch, inverse_width)                     \
-    F(PtLaunch, first_pixel) F(PtLaunch, pixels) F(PtLaunch, inverse_pixels) F(PtLaunch, first_run)   \
-    F(PtLaunch, units) F(PtLaunch, path_length) F(PtLaunch, seed)                                     \
-    F(PtLaunch, opaque_spheres) F(PtLaunch, two_sided_spheres) F(PtLaunch, units_per_lane)            \
-    F(PtLaunch, first_unit) F(PtLaunch, slice)                                                        \
-    F(PtLaunch, strata_columns) F(PtLaunch, stratum_width) F(PtLaunch, stratum_height)                \
-    F(PtLaunch, padding)                                                                              \
-    S(PtTally) F(PtTally, radiance) F(PtTally, squares) F(PtTally, samples) F(PtTally, segments)      \
-    F(PtTally, full_length_paths) F(PtTally, padding)                                                 \
+    S(SceneSphere) F(SceneSphere, centre_k)                                                                 \
+    S(SceneSurface) F(SceneSurface, centre_matte) F(SceneSurface, weight_eta) F(SceneSurface, radiance)           \
+    F(SceneSurface, traits) F(SceneSurface, padding)                                                        \
+    S(SceneFewSpheres) F(SceneFewSpheres, sphere) S(SceneStart) F(SceneStart, position_side) F(SceneStart, gap)      \
+    F(SceneStart, distance_mask)                                                                         \
+    S(EngineLaunch) F(EngineLaunch, camera) F(EngineLaunch, width) F(EngineLaunch, inverse_width)                     \
+    F(EngineLaunch, first_pixel) F(EngineLaunch, pixels) F(EngineLaunch, inverse_pixels) F(EngineLaunch, first_run)   \
+    F(EngineLaunch, units) F(EngineLaunch, path_length) F(EngineLaunch, seed)                                     \
+    F(EngineLaunch, opaque_spheres) F(EngineLaunch, two_sided_spheres) F(EngineLaunch, units_per_lane)            \
+    F(EngineLaunch, first_unit) F(EngineLaunch, slice)                                                        \
+    F(EngineLaunch, strata_columns) F(EngineLaunch, stratum_width) F(EngineLaunch, stratum_height)                \
+    F(EngineLaunch, padding)                                                                              \
+    S(Tally) F(Tally, radiance) F(Tally, squares) F(Tally, samples) F(Tally, segments)      \
+    F(Tally, full_length_paths) F(Tally, padding)                                                 \
     S(ThesisMaterial) F(ThesisMaterial, colour) F(ThesisMaterial, radiance) F(ThesisMaterial, type)   \
     F(ThesisMaterial, ior) F(ThesisMaterial, scatters) F(ThesisMaterial, padding)                     \
     S(ThesisSphere) F(ThesisSphere, centre_radius) F(ThesisSphere, material)                          \

@@ -4,7 +4,7 @@ import unittest
 
 from ptbench import ONE, SOURCE, CliTest, changed
 
-UNIT = (SOURCE / "kernels/pt/unit.h").read_text()
+UNIT = (SOURCE / "kernels/engine/unit.h").read_text()
 
 
 class Variants(CliTest):
@@ -38,7 +38,7 @@ class Variants(CliTest):
     def test_an_invalid_build_has_a_verdict_and_no_time(self):
         wrong = UNIT.replace("* launch->stratum_height", "* launch->stratum_width")  # 2 x 5 cells as 2 x 2: too tall
         self.assertNotEqual(wrong, UNIT)
-        self.scratch.write("kernels/pt/unit.h", wrong)
+        self.scratch.write("kernels/engine/unit.h", wrong)
         words = changed(ONE, spp=10)
         self.run_ok(*words, "-a", "pixel_filter=[jitter,stratified]", "--kernel-dir", "kernels", "--out", "run", "-q", code=4)
         jitter, stratified = self.scratch.result("run")["cases"]

@@ -67,14 +67,14 @@ TEST(Errors, unknown_codes_have_no_made_up_name) {
 
 TEST(Errors, broken_kernel_file_is_named_with_its_line) {
     const OverrideFolder folder;
-    folder.write("pt/scatter.h", "/* one */\n/* two */\nthis is not OpenCL C;\n");
+    folder.write("scene/scatter.h", "/* one */\n/* two */\nthis is not OpenCL C;\n");
     on_every_device([&](const ocl::Device& device) {
         try {
             ocl::build(device, kernel_source("pt/pt.cl", folder.path()), "-cl-std=CL1.2");
             FAIL() << "a broken kernel was accepted";
         } catch (const ocl::BuildError& error) {
             EXPECT_THAT(error.what(), AllOf(HasSubstr(device.info.name), Not(HasSubstr("\n"))));
-            EXPECT_THAT(error.log(), HasSubstr("pt/scatter.h:3"));
+            EXPECT_THAT(error.log(), HasSubstr("scene/scatter.h:3"));
         }
     });
 }
@@ -109,11 +109,11 @@ TEST(Source, hash_follows_the_text) {
     const KernelSource shipped = kernel_source("pt/pt.cl", folder.path());
     EXPECT_FALSE(shipped.overridden) << "nothing lies in the folder";
     EXPECT_EQ(shipped.hash.size(), 16u);
-    std::ifstream stream(std::filesystem::path(PTB_SOURCE_DIR) / "kernels/pt/scatter.h");
+    std::ifstream stream(std::filesystem::path(PTB_SOURCE_DIR) / "kernels/scene/scatter.h");
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    folder.write("pt/scatter.h", text);
+    folder.write("scene/scatter.h", text);
     EXPECT_EQ(kernel_source("pt/pt.cl", folder.path()).hash, shipped.hash) << "same text, other place";
-    folder.write("pt/scatter.h", text + "/* changed */\n");
+    folder.write("scene/scatter.h", text + "/* changed */\n");
     EXPECT_NE(kernel_source("pt/pt.cl", folder.path()).hash, shipped.hash);
 }
 

@@ -54,7 +54,7 @@ class MovedTree(unittest.TestCase):
         self.assertEqual(run(build / "consumer", scene).strip(), "furnace 8x8: 128 samples")
 
     def test_kernels_are_installed_for_kernel_dir(self):
-        for file in ("pt/pt.cl", "thesis/thesis.cl", "shared/pt.h", "lib/random.h"):
+        for file in ("pt/pt.cl", "thesis/thesis.cl", "shared/engine.h", "lib/random.h"):
             self.assertTrue((self.prefix / "share/ptbench/kernels" / file).is_file(), file)
 
 

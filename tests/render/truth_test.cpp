@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/oracle/oracle.h"
-#include "shared/pt.h"
+#include "shared/engine.h"
 #include "tests/support/devices.h"
 #include "tests/support/image_check.h"
 #include "tests/support/render_once.h"
@@ -97,7 +97,7 @@ TEST(Truth, ten_thousand_spheres_lie_in_global_memory) {
     const Scene scene = mixed_balls(10'000);
     on_every_device([&](const ocl::Device& device) {
         const bool large = 10'000 * (16 + 80) > device.info.constant_bytes;
-        const std::string in_global = "-DPT_SPHERES=" + std::to_string(PT_IN_GLOBAL);
+        const std::string in_global = "-DSCENE_SPHERES=" + std::to_string(SCENE_IN_GLOBAL);
         EXPECT_EQ(integrator("pt").options(device, scene, {}).find(in_global) != std::string::npos, large);
     });
     expect_truth({"balls_10000", scene, 8, 8, 3, 16}, "pt");

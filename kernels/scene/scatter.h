@@ -1,9 +1,9 @@
 /* One bounce. */
-#ifndef PTB_PT_SCATTER_H
-#define PTB_PT_SCATTER_H
+#ifndef PTB_SCENE_SCATTER_H
+#define PTB_SCENE_SCATTER_H
 
 #include "lib/sphere_direction.h"
-#include "pt/surface.h"
+#include "scene/surface.h"
 
 /* What is random in a bounce: a uniform point of the unit sphere. A dielectric makes two other numbers of it. */
 static inline Vec draw_bounce(Random* random) {

@@ -8,10 +8,10 @@
 namespace ptb {
 
 /// Build options of `pt` for a job.
-std::string pt_options(const ocl::Device& device, const Scene& scene, const RenderJob& job);
+std::string engine_options(const ocl::Device& device, const Scene& scene, const RenderJob& job);
 
 /// Why `pt` does not do a job of this variant on this device, or nothing.
-std::string pt_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job);
+std::string engine_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job);
 
 /// Of the grid of cells that stratified samples of a pixel lie in, one each: the largest divisor of spp that
 /// is not above its root.

@@ -8,7 +8,7 @@ namespace ptb {
 /// A pixel's samples cut into runs, `pt`'s units of work. They come in rounds of ever shorter ones: few units
 /// cost little, and those at the end of a launch have to be short, or most lanes wait for the last ones.
 /// A round that is short enough as a whole is one run.
-struct PtRuns {
+struct Runs {
     std::vector<std::uint32_t> starts;  ///< first sample of every run, and the end of the last one
     std::vector<std::uint32_t> rounds;  ///< the ends of the rounds, likewise
 
@@ -20,6 +20,6 @@ struct PtRuns {
 
 /// @param fair  samples of a unit that keep all lanes busy to the end, at least 1
 /// @param most  samples of the longest round
-PtRuns make_pt_runs(std::uint32_t spp, std::uint64_t fair, std::uint64_t most);
+Runs make_runs(std::uint32_t spp, std::uint64_t fair, std::uint64_t most);
 
 }  // namespace ptb

@@ -1,14 +1,14 @@
-#include "core/integrator/pt.h"
+#include "core/integrator/engine.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "core/integrator/camera.h"
-#include "core/integrator/pt_film.h"
-#include "core/integrator/pt_options.h"
-#include "core/integrator/pt_runs.h"
-#include "core/integrator/pt_scene.h"
+#include "core/integrator/film.h"
+#include "core/integrator/engine_options.h"
+#include "core/integrator/runs.h"
+#include "core/integrator/device_scene.h"
 #include "core/render/launcher.h"
 
 namespace ptb {
@@ -22,11 +22,11 @@ struct Shape {
     std::uint64_t items;           ///< work-items of a launch; they share one queue of units
     std::uint64_t max_units;       ///< of one launch: bounds the memory of their tallies
     std::uint64_t units_per_lane;  ///< a lane takes no more
-    PtRuns runs;  ///< the image depends on them, so on nothing but device, lanes, size and spp
+    Runs runs;  ///< the image depends on them, so on nothing but device, lanes, size and spp
 };
 
 constexpr std::uint64_t longest_round = 512;  ///< samples
-static_assert(longest_round < PT_FULL_LENGTH);
+static_assert(longest_round < ENGINE_FULL_LENGTH);
 
 /// A GPU wants all its resident lanes busy, and a dozen units each, or the last ones to finish keep it
 /// waiting. A CPU's thread takes units for as long as there are any, so a few items a core are enough.
@@ -38,13 +38,13 @@ Shape shape_of(const ocl::Device& device, const Scene& scene, const RenderJob& j
         is_throughput_device(device) ? cores * 2048 : cores * static_cast<std::uint64_t>(job.lanes);
     const std::uint64_t fair = std::max<std::uint64_t>(job.size.pixels() * spp / (12 * busy), 1);
     Shape shape{is_throughput_device(device) ? busy : cores * 64, 0, 0,
-                make_pt_runs(static_cast<std::uint32_t>(spp), fair, std::min(longest_round, paths))};
+                make_runs(static_cast<std::uint32_t>(spp), fair, std::min(longest_round, paths))};
     shape.max_units = is_throughput_device(device) ? 24 * shape.items : 1u << 18;
     shape.units_per_lane = std::min<std::uint64_t>(paths / shape.runs.longest(), 0xffffffffu);
     return shape;
 }
 
-void stratify(PtLaunch& launch, std::uint32_t spp) {
+void stratify(EngineLaunch& launch, std::uint32_t spp) {
     const std::uint32_t columns = strata_columns(spp), rows = spp / columns;
     launch.strata_columns = columns;
     launch.stratum_width = 1.0f / static_cast<float>(columns);
@@ -61,7 +61,7 @@ class PtRender : public Render {
           launcher_(device, job.variant),
           counted_(device, program) {
         shape_.max_units = std::min<std::uint64_t>(shape_.max_units, pixels_ * shape_.runs.count());
-        const PtScene pt_scene = make_pt_scene(scene);
+        const DeviceScene pt_scene = make_device_scene(scene);
         scene_bytes_ = pt_scene.bytes();
         launch_.camera = device_camera(scene.camera, job.size);
         launch_.width = static_cast<std::uint32_t>(job.size.width);
@@ -75,8 +75,8 @@ class PtRender : public Render {
         ocl::checked("pt buffers", device_.info.name, [&] {
             render_ = cl::Kernel(program.program, "pt_render");
             counted_.give(render_);
-            film_ = make_pt_film(device_, program.program, job.size, job.variant.film_memory, counted_);
-            tallies_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, shape_.max_units * sizeof(PtTally));
+            film_ = make_film_store(device_, program.program, job.size, job.variant.film_memory, counted_);
+            tallies_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, shape_.max_units * sizeof(Tally));
             counters_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE,
                                    slices_of(shape_.max_units) * sizeof(std::uint32_t));
             spheres_ = upload(pt_scene.spheres);
@@ -125,7 +125,7 @@ class PtRender : public Render {
         film.samples = film.full_length_paths = 0;
         for (int row = 0; row < job_.size.height; row += rows_at_once) {
             const int rows = std::min(rows_at_once, job_.size.height - row);
-            const std::vector<PtTally> tallies = ocl::checked(
+            const std::vector<Tally> tallies = ocl::checked(
                 "pt film", device_.info.name, [&] { return film_->read(launcher_.queue(), row, rows); });
             store_tallies(tallies, Size{job_.size.width, row}.pixels(), film);
         }
@@ -135,7 +135,7 @@ class PtRender : public Render {
     ocl::KernelFacts facts() const override { return kernel_facts(device_, render_); }
     std::optional<Counts> counts() const override { return counted_.read(); }
     std::uint64_t device_bytes() const override {
-        return film_->bytes() + shape_.max_units * sizeof(PtTally) + scene_bytes_;
+        return film_->bytes() + shape_.max_units * sizeof(Tally) + scene_bytes_;
     }
 
   private:
@@ -148,9 +148,9 @@ class PtRender : public Render {
 
     static constexpr int rows_at_once = 256;  ///< of the film, on the host
 
-    static void store_tallies(const std::vector<PtTally>& tallies, std::size_t first_pixel, Film& film) {
+    static void store_tallies(const std::vector<Tally>& tallies, std::size_t first_pixel, Film& film) {
         for (std::size_t i = 0; i < tallies.size(); ++i) {
-            const PtTally& tally = tallies[i];
+            const Tally& tally = tallies[i];
             const std::size_t at = 3 * (first_pixel + i);
             store_pixel(tally, &film.mean.rgb[at], &film.variance->rgb[at]);
             *film.samples += tally.samples;
@@ -159,7 +159,7 @@ class PtRender : public Render {
         }
     }
 
-    static void store_pixel(const PtTally& tally, float* mean, float* variance) {
+    static void store_pixel(const Tally& tally, float* mean, float* variance) {
         const double n = tally.samples;
         const float sums[3] = {tally.radiance.x, tally.radiance.y, tally.radiance.z};
         const float squares[3] = {tally.squares.x, tally.squares.y, tally.squares.z};
@@ -187,7 +187,7 @@ class PtRender : public Render {
     }
 
     void launch_slice(std::uint64_t slice, std::uint64_t slices) {
-        PtLaunch part = launch_;
+        EngineLaunch part = launch_;
         part.slice = static_cast<std::uint32_t>(slice);
         part.first_unit = static_cast<std::uint32_t>(launch_.units * slice / slices);
         part.units = static_cast<std::uint32_t>(launch_.units * (slice + 1) / slices);
@@ -248,19 +248,19 @@ class PtRender : public Render {
     Launcher launcher_;
     CountedRows counted_;
     cl::Kernel render_;
-    std::unique_ptr<PtFilm> film_;
+    std::unique_ptr<FilmStore> film_;
     cl::Buffer tallies_, counters_, spheres_, surfaces_, sides_, starts_;
-    PtFewSpheres few_{};
-    PtLaunch launch_{};
+    SceneFewSpheres few_{};
+    EngineLaunch launch_{};
 };
 
 Integrator::Memory memory(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     const Shape shape = shape_of(device, scene, job);
     const std::uint64_t units = job.size.pixels() * shape.runs.count();
-    const std::uint64_t film = pt_film_bytes(job.size, job.variant.film_memory);
-    const std::uint64_t tallies = std::min(shape.max_units, units) * sizeof(PtTally);
-    return {film + tallies + make_pt_scene(scene).bytes(),
-            std::max(pt_film_largest(job.size, job.variant.film_memory), tallies)};
+    const std::uint64_t film = film_bytes_of(job.size, job.variant.film_memory);
+    const std::uint64_t tallies = std::min(shape.max_units, units) * sizeof(Tally);
+    return {film + tallies + make_device_scene(scene).bytes(),
+            std::max(largest_film_object(job.size, job.variant.film_memory), tallies)};
 }
 
 std::unique_ptr<Render> make(const ocl::Device& device, const ocl::Program& program, const Scene& scene,
@@ -274,7 +274,7 @@ Integrator pt_integrator() {
     return {"pt",       "physically right path tracer: no next-event estimation, no roulette",
             "pt/pt.cl", {1, 4, 8, 16, 32},
             false,      true,
-            pt_options, pt_refusal,
+            engine_options, engine_refusal,
             memory,     make};
 }
 

@@ -1,12 +1,12 @@
-#include "core/integrator/pt_options.h"
+#include "core/integrator/engine_options.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "core/integrator/pt_film.h"
-#include "core/integrator/pt_scene.h"
+#include "core/integrator/film.h"
+#include "core/integrator/device_scene.h"
 #include "core/integrator/variant_support.h"
 
 namespace ptb {
@@ -19,33 +19,33 @@ bool glows(const Scene& scene) {
                        [](const Material& m) { return m.scatters && dot(m.radiance, m.radiance) > 0; });
 }
 
-/// Where spheres and surfaces lie: PT_IN_...
+/// Where spheres and surfaces lie: SCENE_IN_...
 struct Places {
     int spheres, surfaces;
 };
 
-Places places_of(const ocl::Device& device, const PtScene& scene, const RenderJob& job) {
+Places places_of(const ocl::Device& device, const DeviceScene& scene, const RenderJob& job) {
     switch (job.variant.scene_memory) {
         case SceneMemory::constant:
-            return {PT_IN_CONSTANT, PT_IN_CONSTANT};
+            return {SCENE_IN_CONSTANT, SCENE_IN_CONSTANT};
         case SceneMemory::global:
-            return {PT_IN_GLOBAL, PT_IN_GLOBAL};
+            return {SCENE_IN_GLOBAL, SCENE_IN_GLOBAL};
         case SceneMemory::local:
-            return {PT_IN_LOCAL, PT_IN_LOCAL};
+            return {SCENE_IN_LOCAL, SCENE_IN_LOCAL};
         case SceneMemory::private_memory:
-            return {PT_IN_PRIVATE, PT_IN_PRIVATE};
+            return {SCENE_IN_PRIVATE, SCENE_IN_PRIVATE};
         case SceneMemory::automatic:
         case SceneMemory::argument:
             break;
     }
     if (scene.is_few())
-        return {PT_IN_ARGUMENT,
-                is_throughput_device(device) && job.lanes == 1 ? PT_IN_LOCAL : PT_IN_CONSTANT};
-    return scene.bytes() <= device.info.constant_bytes ? Places{PT_IN_CONSTANT, PT_IN_CONSTANT}
-                                                       : Places{PT_IN_GLOBAL, PT_IN_GLOBAL};
+        return {SCENE_IN_ARGUMENT,
+                is_throughput_device(device) && job.lanes == 1 ? SCENE_IN_LOCAL : SCENE_IN_CONSTANT};
+    return scene.bytes() <= device.info.constant_bytes ? Places{SCENE_IN_CONSTANT, SCENE_IN_CONSTANT}
+                                                       : Places{SCENE_IN_GLOBAL, SCENE_IN_GLOBAL};
 }
 
-std::string memory_refusal(const ocl::Device& device, const PtScene& scene, const RenderJob& job) {
+std::string memory_refusal(const ocl::Device& device, const DeviceScene& scene, const RenderJob& job) {
     const std::uint64_t bytes = scene.bytes();
     const auto refused = [&](const std::string& memory, std::uint64_t limit) {
         return fmt::format("scene_memory {}: {} spheres take {} bytes, this device has {}", memory,
@@ -59,7 +59,7 @@ std::string memory_refusal(const ocl::Device& device, const PtScene& scene, cons
     const bool by_value = memory == SceneMemory::argument || memory == SceneMemory::private_memory;
     if (by_value && !scene.is_few())
         return fmt::format("scene_memory {}: pt takes at most {} faces so, these {} spheres have {}",
-                           memory == SceneMemory::argument ? "argument" : "private", PT_FEW_MOST,
+                           memory == SceneMemory::argument ? "argument" : "private", SCENE_FEW_MOST,
                            scene.spheres.size(), scene.faces());
     return "";
 }
@@ -86,36 +86,36 @@ std::uint32_t strata_columns(std::uint32_t spp) {
     return columns;
 }
 
-std::string pt_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+std::string engine_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     for (const std::string& reason :
-         {memory_refusal(device, make_pt_scene(scene), job),
-          pt_film_refusal(device, job.size, job.variant.film_memory), rows_refusal(job)})
+         {memory_refusal(device, make_device_scene(scene), job),
+          film_refusal(device, job.size, job.variant.film_memory), rows_refusal(job)})
         if (!reason.empty()) return reason;
     return "";
 }
 
-std::string pt_options(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
-    const PtScene pt_scene = make_pt_scene(scene);
+std::string engine_options(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+    const DeviceScene pt_scene = make_device_scene(scene);
     const Places places = places_of(device, pt_scene, job);
     const bool lone_on_gpu = is_throughput_device(device) && job.lanes == 1;
     std::string text = common_options(device, job);
-    text += fmt::format(" -DPTB_LANES={} -DPT_SIDE_WORDS={}", job.lanes, pt_scene.camera_sides.size());
+    text += fmt::format(" -DPTB_LANES={} -DSCENE_SIDE_WORDS={}", job.lanes, pt_scene.camera_sides.size());
     if (job.lanes > 1) text += fmt::format(" -DPTB_WIDTH={}", device.info.native_float_width);
-    text += fmt::format(" -DPT_SPHERES={} -DPT_SURFACES={}", places.spheres, places.surfaces);
+    text += fmt::format(" -DSCENE_SPHERES={} -DSCENE_SURFACES={}", places.spheres, places.surfaces);
     if (pt_scene.is_few())
         text +=
-            fmt::format(" -DPT_FEW={} -DPT_OPAQUE={} -DPT_ZERO_X={:#x} -DPT_ZERO_Y={:#x} -DPT_ZERO_Z={:#x}",
+            fmt::format(" -DSCENE_FEW={} -DSCENE_OPAQUE={} -DSCENE_ZERO_X={:#x} -DSCENE_ZERO_Y={:#x} -DSCENE_ZERO_Z={:#x}",
                         pt_scene.spheres.size(), pt_scene.opaque, pt_scene.zeros[0], pt_scene.zeros[1],
                         pt_scene.zeros[2]);
-    else if (places.spheres == PT_IN_LOCAL)
-        text += fmt::format(" -DPT_COUNT={} -DPT_FACES={}", pt_scene.spheres.size(), pt_scene.faces());
-    if (ocl::bounds_loops(device.info)) text += " -DPT_BOUNDED";
-    if (glows(scene)) text += " -DPT_GLOWS";
-    if (lone_on_gpu) text += " -DPT_BATCH=6";
-    if (lone_on_gpu && pt_scene.is_few()) text += " -DPT_CARRIED";
+    else if (places.spheres == SCENE_IN_LOCAL)
+        text += fmt::format(" -DSCENE_COUNT={} -DSCENE_FACES={}", pt_scene.spheres.size(), pt_scene.faces());
+    if (ocl::bounds_loops(device.info)) text += " -DENGINE_BOUNDED";
+    if (glows(scene)) text += " -DSCENE_GLOWS";
+    if (lone_on_gpu) text += " -DENGINE_BATCH=6";
+    if (lone_on_gpu && pt_scene.is_few()) text += " -DSCENE_CARRIED";
     if (job.variant.pixel_filter != PixelFilter::jitter)
-        text += fmt::format(" -DPT_FILTER={}",
-                            job.variant.pixel_filter == PixelFilter::centre ? PT_CENTRE : PT_STRATIFIED);
+        text += fmt::format(" -DENGINE_FILTER={}",
+                            job.variant.pixel_filter == PixelFilter::centre ? ENGINE_CENTRE : ENGINE_STRATIFIED);
     if (job.variant.rng == Rng::park_miller) text += " -DPTB_PARK_MILLER";
     return text;
 }

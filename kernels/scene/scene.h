@@ -1,68 +1,68 @@
 /* The scene as `pt` sees it, and where a ray meets it. */
-#ifndef PTB_PT_SCENE_H
-#define PTB_PT_SCENE_H
+#ifndef PTB_SCENE_SCENE_H
+#define PTB_SCENE_SCENE_H
 
 #include "lib/roots.h"
 #include "lib/vec.h"
-#include "shared/pt.h"
+#include "shared/engine.h"
 
 /* 32-bit words that hold one side bit per two-sided sphere. */
-#ifndef PT_SIDE_WORDS
-#define PT_SIDE_WORDS 1
+#ifndef SCENE_SIDE_WORDS
+#define SCENE_SIDE_WORDS 1
 #endif
 
-/* PT_FEW, the number of spheres if it is at most PT_FEW_MOST. They are best a kernel argument: on GPUs each number is then
+/* SCENE_FEW, the number of spheres if it is at most SCENE_FEW_MOST. They are best a kernel argument: on GPUs each number is then
    an operand of the instruction that uses it. Surfaces are best copied to local memory there (1.02, H200). */
-#ifndef PT_SPHERES
-#ifdef PT_FEW
-#define PT_SPHERES PT_IN_ARGUMENT
+#ifndef SCENE_SPHERES
+#ifdef SCENE_FEW
+#define SCENE_SPHERES SCENE_IN_ARGUMENT
 #else
-#define PT_SPHERES PT_IN_CONSTANT
+#define SCENE_SPHERES SCENE_IN_CONSTANT
 #endif
 #endif
-#ifndef PT_SURFACES
-#define PT_SURFACES PT_IN_CONSTANT
+#ifndef SCENE_SURFACES
+#define SCENE_SURFACES SCENE_IN_CONSTANT
 #endif
-#ifdef PT_FEW
-#define PT_COUNT PT_FEW
-#define PT_FACES (2 * PT_FEW - PT_OPAQUE)
+#ifdef SCENE_FEW
+#define SCENE_COUNT SCENE_FEW
+#define SCENE_FACES (2 * SCENE_FEW - SCENE_OPAQUE)
 #endif
 
-/* Address spaces by number, PT_IN_...: of the buffer, and of what rays read, which may be a copy of it. */
-#define PT_BUFFER_0 __global
-#define PT_BUFFER_1 __constant
-#define PT_BUFFER_2 __global
-#define PT_BUFFER_3 __global
-#define PT_BUFFER_4 __global
-#define PT_SPACE_0 __private
-#define PT_SPACE_1 __constant
-#define PT_SPACE_2 __global
-#define PT_SPACE_3 __local
-#define PT_SPACE_4 __private
-#define PT_PASTE_(a, b) a##b
-#define PT_PASTE(a, b) PT_PASTE_(a, b)
-#define PT_SPHERE_BUFFER PT_PASTE(PT_BUFFER_, PT_SPHERES)
-#define PT_SPHERE_SPACE PT_PASTE(PT_SPACE_, PT_SPHERES)
-#define PT_SURFACE_BUFFER PT_PASTE(PT_BUFFER_, PT_SURFACES)
-#define PT_SURFACE_SPACE PT_PASTE(PT_SPACE_, PT_SURFACES)
+/* Address spaces by number, SCENE_IN_...: of the buffer, and of what rays read, which may be a copy of it. */
+#define SCENE_BUFFER_0 __global
+#define SCENE_BUFFER_1 __constant
+#define SCENE_BUFFER_2 __global
+#define SCENE_BUFFER_3 __global
+#define SCENE_BUFFER_4 __global
+#define SCENE_SPACE_0 __private
+#define SCENE_SPACE_1 __constant
+#define SCENE_SPACE_2 __global
+#define SCENE_SPACE_3 __local
+#define SCENE_SPACE_4 __private
+#define SCENE_PASTE_(a, b) a##b
+#define SCENE_PASTE(a, b) SCENE_PASTE_(a, b)
+#define SCENE_SPHERE_BUFFER SCENE_PASTE(SCENE_BUFFER_, SCENE_SPHERES)
+#define SCENE_SPHERE_SPACE SCENE_PASTE(SCENE_SPACE_, SCENE_SPHERES)
+#define SCENE_SURFACE_BUFFER SCENE_PASTE(SCENE_BUFFER_, SCENE_SURFACES)
+#define SCENE_SURFACE_SPACE SCENE_PASTE(SCENE_SPACE_, SCENE_SURFACES)
 
 typedef struct Scene {
-    PT_SPHERE_SPACE const PtSphere* spheres; /* opaque ones first, then two-sided ones */
+    SCENE_SPHERE_SPACE const SceneSphere* spheres; /* opaque ones first, then two-sided ones */
     uint opaque;
     uint count;
-    uint distance_mask; /* PT_DISTANCE_MASK, hidden from the compiler: and with it, or a number is one instruction of three
+    uint distance_mask; /* SCENE_DISTANCE_MASK, hidden from the compiler: and with it, or a number is one instruction of three
                            operands then (H200: 0.96 without) */
 } Scene;
 
 static inline uint two_sided_spheres(Scene scene) { return scene.count - scene.opaque; }
 
-/* Numbers of faces, as PtSurface orders them. */
+/* Numbers of faces, as SceneSurface orders them. */
 static inline uint opaque_face(Scene scene, uint sphere) { return 2u * two_sided_spheres(scene) + sphere; }
 static inline uint background(Scene scene) { return opaque_face(scene, scene.opaque); }
 
 /* One two-sided sphere among few: the most common scene. */
 static inline bool one_is_two_sided(Scene scene) {
-#ifdef PT_FEW
+#ifdef SCENE_FEW
     return two_sided_spheres(scene) == 1u;
 #else
     (void)scene;
@@ -73,7 +73,7 @@ static inline bool one_is_two_sided(Scene scene) {
 /* Which two-sided spheres a path is inside: a bit each, from the top. Only transmission changes it. If one of few is
    two-sided, the lowest bit tells so too, which is its face's number. */
 typedef struct Sides {
-    lanes_u word[PT_SIDE_WORDS];
+    lanes_u word[SCENE_SIDE_WORDS];
 } Sides;
 
 /* Its lowest bit is set inside. */
@@ -93,21 +93,21 @@ static inline lanes_u two_sided_face(Scene scene, uint number, lanes_u side) {
 /* Passes through a face of each lane's own. */
 static inline void change_sides(Scene scene, Sides* inside, lanes_u face, lanes_mask through) {
     if (one_is_two_sided(scene)) {
-        inside->word[0] ^= lanes_select_u((lanes_u)(0u), (lanes_u)(PT_LONE_SIDE), through);
+        inside->word[0] ^= lanes_select_u((lanes_u)(0u), (lanes_u)(SCENE_LONE_SIDE), through);
         return;
     }
     const lanes_u number = face >> 1;
     const lanes_u bit = (lanes_u)(0x80000000u) >> (number & 31u);
-    for (uint i = 0; i < PT_SIDE_WORDS; ++i) {
-        const lanes_mask here = PT_SIDE_WORDS == 1 ? through : through & ((number >> 5) == (lanes_u)(i));
+    for (uint i = 0; i < SCENE_SIDE_WORDS; ++i) {
+        const lanes_mask here = SCENE_SIDE_WORDS == 1 ? through : through & ((number >> 5) == (lanes_u)(i));
         inside->word[i] ^= lanes_select_u((lanes_u)(0u), bit, here);
     }
 }
 
 typedef struct Ray {
     Vec origin, direction; /* the direction has length 1 */
-#ifdef PT_CARRIED
-    lanes_f gap[PT_FEW]; /* see pt/hit.h */
+#ifdef SCENE_CARRIED
+    lanes_f gap[SCENE_FEW]; /* see scene/hit.h */
 #endif
 } Ray;
 

@@ -1,4 +1,4 @@
-#include "core/integrator/pt_scene.h"
+#include "core/integrator/device_scene.h"
 
 #include <algorithm>
 #include <bit>
@@ -14,7 +14,7 @@ bool camera_inside(const Scene& scene, const Sphere& sphere) {
     return length(scene.camera.position - sphere.centre) < sphere.radius;
 }
 
-PtSphere device_sphere(const Sphere& sphere) {
+SceneSphere device_sphere(const Sphere& sphere) {
     return {device_vector(sphere.centre, dot(sphere.centre, sphere.centre) - sphere.radius * sphere.radius)};
 }
 
@@ -24,7 +24,7 @@ float camera_gap(const Scene& scene, const Sphere& sphere) {
 }
 
 /// `inside`: its inner face.
-PtSurface face(const Sphere& sphere, const Material& material, bool inside) {
+SceneSurface face(const Sphere& sphere, const Material& material, bool inside) {
     const bool mirror = material.type == MaterialType::mirror;
     const bool dielectric = material.type == MaterialType::dielectric;
     const Vec3 weight = dielectric || !material.scatters ? Vec3{1, 1, 1}
@@ -43,21 +43,21 @@ PtSurface face(const Sphere& sphere, const Material& material, bool inside) {
             {}};
 }
 
-PtSurface background() {
+SceneSurface background() {
     const float nothing = std::numeric_limits<float>::quiet_NaN();
-    PtSurface surface{};
+    SceneSurface surface{};
     surface.weight_eta.w = surface.traits.w = nothing;
     surface.traits.x = -1;
     return surface;
 }
 
-PtStart start(const Scene& scene, const std::vector<Sphere>& spheres, std::uint32_t side) {
-    PtStart result{};
+SceneStart start(const Scene& scene, const std::vector<Sphere>& spheres, std::uint32_t side) {
+    SceneStart result{};
     const ptb_float4 position = device_vector(scene.camera.position);
     result.position_side = {position.x, position.y, position.z, std::bit_cast<float>(side)};
-    for (std::size_t i = 0; i < std::min<std::size_t>(spheres.size(), PT_FEW_MOST); ++i)
+    for (std::size_t i = 0; i < std::min<std::size_t>(spheres.size(), SCENE_FEW_MOST); ++i)
         result.gap[i] = camera_gap(scene, spheres[i]);
-    result.distance_mask = PT_DISTANCE_MASK;
+    result.distance_mask = SCENE_DISTANCE_MASK;
     return result;
 }
 
@@ -74,9 +74,9 @@ bool is_two_sided(const Scene& scene, const Sphere& sphere) {
 
 }  // namespace
 
-PtScene make_pt_scene(const Scene& scene) {
-    PtScene result;
-    std::vector<PtSurface> opaque;
+DeviceScene make_device_scene(const Scene& scene) {
+    DeviceScene result;
+    std::vector<SceneSurface> opaque;
     std::vector<Sphere> spheres = scene.spheres;
     const auto first_two_sided = std::stable_partition(
         spheres.begin(), spheres.end(), [&](const Sphere& sphere) { return !is_two_sided(scene, sphere); });
@@ -87,7 +87,7 @@ PtScene make_pt_scene(const Scene& scene) {
     for (std::uint32_t i = 0; i < spheres.size(); ++i) {
         const Sphere& sphere = spheres[i];
         result.spheres.push_back(device_sphere(sphere));
-        if (i < PT_FEW_MOST) {
+        if (i < SCENE_FEW_MOST) {
             result.few.sphere[i] = result.spheres.back();
             note_zeros(result.spheres.back().centre_k, i, result.zeros);
         }
@@ -99,12 +99,12 @@ PtScene make_pt_scene(const Scene& scene) {
         result.surfaces.push_back(face(sphere, material, false));
         result.surfaces.push_back(face(sphere, material, true));
         const std::uint32_t number = i - result.opaque;
-        const std::uint32_t bit = one_is_two_sided ? PT_LONE_SIDE : 0x80000000u >> number % 32;
+        const std::uint32_t bit = one_is_two_sided ? SCENE_LONE_SIDE : 0x80000000u >> number % 32;
         if (camera_inside(scene, sphere)) result.camera_sides[number / 32] |= bit;
     }
     result.surfaces.insert(result.surfaces.end(), opaque.begin(), opaque.end());
     result.surfaces.push_back(background());
-    result.surfaces.push_back(std::bit_cast<PtSurface>(start(scene, spheres, result.camera_sides.front())));
+    result.surfaces.push_back(std::bit_cast<SceneSurface>(start(scene, spheres, result.camera_sides.front())));
     return result;
 }
 

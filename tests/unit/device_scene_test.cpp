@@ -1,11 +1,11 @@
-#include "core/integrator/pt_scene.h"
+#include "core/integrator/device_scene.h"
 
 #include <bit>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "core/integrator/pt_runs.h"
+#include "core/integrator/runs.h"
 
 using namespace ptb;
 
@@ -31,14 +31,14 @@ Scene three_spheres() {
     return scene;
 }
 
-TEST(PtScene, has_both_faces_of_what_a_path_can_be_in_then_the_others) {
-    const PtScene scene = make_pt_scene(three_spheres());
+TEST(DeviceScene, has_both_faces_of_what_a_path_can_be_in_then_the_others) {
+    const DeviceScene scene = make_device_scene(three_spheres());
     EXPECT_EQ(scene.opaque, 2u);
     EXPECT_EQ(scene.two_sided, 1u);
     ASSERT_EQ(scene.faces(), 4u);
     EXPECT_EQ(scene.spheres[2].centre_k.x, 1.0f) << "two-sided spheres are the last";
-    const PtSurface& outer = scene.surfaces[0];
-    const PtSurface& inner = scene.surfaces[1];
+    const SceneSurface& outer = scene.surfaces[0];
+    const SceneSurface& inner = scene.surfaces[1];
     EXPECT_FLOAT_EQ(outer.traits.y, 1 / 1.5f / 8) << "outwards eta";
     EXPECT_FLOAT_EQ(inner.traits.y, -1.5f / 8);
     EXPECT_FLOAT_EQ(outer.weight_eta.w, 1 / 2.25f) << "eta^2";
@@ -51,43 +51,43 @@ TEST(PtScene, has_both_faces_of_what_a_path_can_be_in_then_the_others) {
     EXPECT_EQ(outer.centre_matte.w, 0.0f);
 }
 
-TEST(PtScene, tells_matte_from_mirror_and_both_from_what_ends_a_path) {
-    const PtScene scene = make_pt_scene(three_spheres());
-    const PtSurface& matte = scene.surfaces[2];
+TEST(DeviceScene, tells_matte_from_mirror_and_both_from_what_ends_a_path) {
+    const DeviceScene scene = make_device_scene(three_spheres());
+    const SceneSurface& matte = scene.surfaces[2];
     EXPECT_FLOAT_EQ(matte.centre_matte.w, 1.0f / 2);
     EXPECT_EQ(matte.traits.x, 0.0f);
     EXPECT_TRUE(std::isnan(matte.weight_eta.w) && std::isnan(matte.traits.w)) << "nothing goes through";
-    const PtSurface& mirror = scene.surfaces[3];
+    const SceneSurface& mirror = scene.surfaces[3];
     EXPECT_EQ(mirror.centre_matte.w, 0.0f);
     EXPECT_FLOAT_EQ(mirror.traits.x, 2.0f / 16);
-    const PtSurface& background = scene.surfaces[4];
+    const SceneSurface& background = scene.surfaces[4];
     EXPECT_LT(background.traits.x, 0.0f);
     EXPECT_TRUE(std::isnan(background.weight_eta.w) && std::isnan(background.traits.w));
 }
 
-TEST(PtScene, knows_the_zeros_of_centres_and_what_paths_start_with) {
-    const PtScene scene = make_pt_scene(three_spheres());
+TEST(DeviceScene, knows_the_zeros_of_centres_and_what_paths_start_with) {
+    const DeviceScene scene = make_device_scene(three_spheres());
     EXPECT_EQ(scene.zeros[0], 0b001u);
     EXPECT_EQ(scene.zeros[1], 0b110u);
     EXPECT_EQ(scene.zeros[2], 0b101u);
     EXPECT_EQ(scene.camera_sides.front(), 0x80000001u) << "inside the glass, which is alone";
-    const auto start = std::bit_cast<PtStart>(scene.surfaces.back());
+    const auto start = std::bit_cast<SceneStart>(scene.surfaces.back());
     EXPECT_EQ(start.position_side.z, -4.0f);
     EXPECT_EQ(std::bit_cast<std::uint32_t>(start.position_side.w), scene.camera_sides.front());
     EXPECT_FLOAT_EQ(start.gap[0], 4 - (9 + 16)) << "radius^2 - |camera - centre|^2";
     EXPECT_EQ(start.distance_mask, ~15u);
 }
 
-TEST(PtScene, counts_faces_where_spheres_are_few) {
+TEST(DeviceScene, counts_faces_where_spheres_are_few) {
     Scene scene = three_spheres();
-    while (scene.spheres.size() < PT_FEW_MOST - 1) scene.spheres.push_back(scene.spheres[0]);
-    EXPECT_TRUE(make_pt_scene(scene).is_few()) << "15 faces of 14 spheres";
+    while (scene.spheres.size() < SCENE_FEW_MOST - 1) scene.spheres.push_back(scene.spheres[0]);
+    EXPECT_TRUE(make_device_scene(scene).is_few()) << "15 faces of 14 spheres";
     scene.spheres.push_back(scene.spheres[0]);
-    EXPECT_FALSE(make_pt_scene(scene).is_few());
+    EXPECT_FALSE(make_device_scene(scene).is_few());
 }
 
-TEST(PtRuns, cover_all_samples_in_rounds_of_ever_shorter_runs) {
-    const PtRuns runs = make_pt_runs(1000, 100, 256);
+TEST(Runs, cover_all_samples_in_rounds_of_ever_shorter_runs) {
+    const Runs runs = make_runs(1000, 100, 256);
     EXPECT_EQ(runs.starts.front(), 0u);
     EXPECT_EQ(runs.starts.back(), 1000u);
     ASSERT_EQ(runs.count(), 12u) << "four rounds of three";
@@ -96,19 +96,19 @@ TEST(PtRuns, cover_all_samples_in_rounds_of_ever_shorter_runs) {
         EXPECT_GT(runs.length(run), 0u);
         EXPECT_EQ(runs.ends_round(run), run % 3 == 2);
     }
-    const PtRuns uncut = make_pt_runs(1002, 100'000, 512);
+    const Runs uncut = make_runs(1002, 100'000, 512);
     ASSERT_EQ(uncut.count(), 2u);
     EXPECT_TRUE(uncut.ends_round(0) && uncut.ends_round(1));
     EXPECT_LT(runs.length(2), runs.length(1));
     EXPECT_LT(runs.length(1), runs.length(0));
 }
 
-TEST(PtRuns, are_single_samples_where_lanes_are_many_and_never_longer_than_a_device_allows) {
-    EXPECT_EQ(make_pt_runs(7, 1, 256).count(), 7u);
-    EXPECT_EQ(make_pt_runs(1, 1000, 256).count(), 1u);
-    EXPECT_EQ(make_pt_runs(1000, 1000, 3).longest(), 3u);
-    EXPECT_EQ(make_pt_runs(5, 24, 512).starts, (std::vector<std::uint32_t>{0, 3, 4, 5}));
-    EXPECT_EQ(make_pt_runs(5, 25, 512).count(), 1u) << "as short as the last one of a round";
+TEST(Runs, are_single_samples_where_lanes_are_many_and_never_longer_than_a_device_allows) {
+    EXPECT_EQ(make_runs(7, 1, 256).count(), 7u);
+    EXPECT_EQ(make_runs(1, 1000, 256).count(), 1u);
+    EXPECT_EQ(make_runs(1000, 1000, 3).longest(), 3u);
+    EXPECT_EQ(make_runs(5, 24, 512).starts, (std::vector<std::uint32_t>{0, 3, 4, 5}));
+    EXPECT_EQ(make_runs(5, 25, 512).count(), 1u) << "as short as the last one of a round";
 }
 
 }  // namespace

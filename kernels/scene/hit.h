@@ -1,28 +1,28 @@
 /* Where a ray meets the scene. */
-#ifndef PTB_PT_HIT_H
-#define PTB_PT_HIT_H
+#ifndef PTB_SCENE_HIT_H
+#define PTB_SCENE_HIT_H
 
-#include "pt/scene.h"
+#include "scene/scene.h"
 
 /* The nearest face so far. Distances compare by their bits: those of a missed sphere (NaN) and of one behind
    (negative) are larger than any positive float's as unsigned numbers, so one comparison refuses all three. */
 typedef struct Hit {
-#ifdef PT_FEW
+#ifdef SCENE_FEW
     lanes_u key; /* the distance with the face's number in its low bits, so one minimum finds both: 2^-20 of the
                     distance is lost, which no path notices */
 #else
     lanes_u distance_bits, number;
 #endif
-#ifdef PT_CARRIED
-    lanes_f half_linear[PT_FEW];
+#ifdef SCENE_CARRIED
+    lanes_f half_linear[SCENE_FEW];
 #endif
 } Hit;
 
 #define HIT_FAR 0x7f7ffff0u /* a large float, of low bits 0 */
 
-#ifdef PT_FEW
+#ifdef SCENE_FEW
 
-#define HIT_NUMBER (~PT_DISTANCE_MASK)
+#define HIT_NUMBER (~SCENE_DISTANCE_MASK)
 
 static inline Hit no_hit(uint background) {
     Hit hit;
@@ -55,7 +55,7 @@ static inline lanes_u hit_face(const Hit* hit) { return hit->number; }
 #endif
 
 /* Few spheres all at once: their zeros are known then. Of more, two a turn: their arithmetic fills each other's waits. */
-#ifdef PT_FEW
+#ifdef SCENE_FEW
 #define HIT_LOOP _Pragma("unroll")
 #elif PTB_SIMD
 #define HIT_LOOP _Pragma("clang loop unroll_count(2)")
@@ -66,13 +66,13 @@ static inline lanes_u hit_face(const Hit* hit) { return hit->number; }
 /* A sphere is met at b -+ sqrt(b b + gap), with b = d.(c - o) and gap = r^2 - |o - c|^2. Computed like this, the gap of a
    large wall would be lost in rounding: |o - c|^2 has an ulp of 8 at a radius of 10 000. There are two ways around it.
 
-   PT_CARRIED, for few spheres and one ray a work-item: a path carries every sphere's gap in a register. It starts as
+   SCENE_CARRIED, for few spheres and one ray a work-item: a path carries every sphere's gap in a register. It starts as
    rounded from double on the host, and a move by t along d adds t (2 b - t).
    Otherwise gap = 2 o.c - o.o - k, where k = |c|^2 - r^2, rounded from double, and all terms are twenty times smaller. */
 typedef struct Line {
     Vec direction;
     lanes_f minus_od;
-#ifndef PT_CARRIED
+#ifndef SCENE_CARRIED
     Vec twice_origin;
     lanes_f minus_oo;
 #endif
@@ -82,7 +82,7 @@ static inline Line line_of(const Ray* ray) {
     Line line;
     line.direction = ray->direction;
     line.minus_od = -vec_dot(ray->origin, ray->direction);
-#ifndef PT_CARRIED
+#ifndef SCENE_CARRIED
     line.twice_origin = vec_scale(ray->origin, (lanes_f)(2.0f));
     line.minus_oo = -vec_dot(ray->origin, ray->origin);
 #endif
@@ -90,17 +90,17 @@ static inline Line line_of(const Ray* ray) {
 }
 
 /* Coordinates of centres that are 0, a bit a sphere: walls of a box mostly have two, and products with them cost nothing. */
-#ifndef PT_ZERO_X
-#define PT_ZERO_X 0u
-#define PT_ZERO_Y 0u
-#define PT_ZERO_Z 0u
+#ifndef SCENE_ZERO_X
+#define SCENE_ZERO_X 0u
+#define SCENE_ZERO_Y 0u
+#define SCENE_ZERO_Z 0u
 #endif
 
 /* centre.a + more, for sphere number i. */
 static inline lanes_f dot_centre(float4 centre, uint i, Vec a, lanes_f more) {
-    if ((PT_ZERO_Z >> i & 1u) == 0u) more = centre.z * a.z + more;
-    if ((PT_ZERO_Y >> i & 1u) == 0u) more = centre.y * a.y + more;
-    if ((PT_ZERO_X >> i & 1u) == 0u) more = centre.x * a.x + more;
+    if ((SCENE_ZERO_Z >> i & 1u) == 0u) more = centre.z * a.z + more;
+    if ((SCENE_ZERO_Y >> i & 1u) == 0u) more = centre.y * a.y + more;
+    if ((SCENE_ZERO_X >> i & 1u) == 0u) more = centre.x * a.x + more;
     return more;
 }
 
@@ -112,7 +112,7 @@ typedef struct Quadratic {
 static inline Quadratic quadratic_of(float4 centre_k, uint i, const Line* line, const Ray* ray, Hit* hit) {
     Quadratic e;
     e.b = dot_centre(centre_k, i, line->direction, line->minus_od);
-#ifdef PT_CARRIED
+#ifdef SCENE_CARRIED
     e.d = e.b * e.b + ray->gap[i];
     hit->half_linear[i] = e.b;
 #else
@@ -161,8 +161,8 @@ static inline Hit nearest_hit(Scene scene, const Ray* ray, const Sides* inside) 
 static inline void move_to_hit(Ray* ray, const Hit* hit) {
     const lanes_f t = hit_distance(hit);
     ray->origin = vec_add_scaled(ray->origin, ray->direction, t);
-#ifdef PT_CARRIED
-    for (uint i = 0; i < PT_FEW; ++i) ray->gap[i] += t * (2.0f * hit->half_linear[i] - t);
+#ifdef SCENE_CARRIED
+    for (uint i = 0; i < SCENE_FEW; ++i) ray->gap[i] += t * (2.0f * hit->half_linear[i] - t);
 #endif
 }
 

@@ -1,11 +1,11 @@
 /* What a face is made of, looked up per lane. */
-#ifndef PTB_PT_SURFACE_H
-#define PTB_PT_SURFACE_H
+#ifndef PTB_SCENE_SURFACE_H
+#define PTB_SCENE_SURFACE_H
 
 #include "lib/table.h"
-#include "pt/hit.h"
+#include "scene/hit.h"
 
-/* See PtSurface. */
+/* See SceneSurface. */
 typedef struct Surface {
     Vec centre;
     lanes_f matte;
@@ -17,16 +17,16 @@ typedef struct Surface {
 /* How a lane reaches its own row: with few spheres the rows lie in registers, a table a field, and one permute serves all
    lanes of a register (two AVX-512 cores, PoCL: 14.0 Msamples/s, 9.2 with the loads and roots of the portable form, 7.1
    with chains of selects); else every lane loads its row from memory. */
-#if defined(PT_FEW) && TABLE_PERMUTES
+#if defined(SCENE_FEW) && TABLE_PERMUTES
 
 typedef struct Surfaces {
     Table field[14];
 } Surfaces;
 
-static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint faces) {
+static inline Surfaces surfaces_of(SCENE_SURFACE_SPACE const SceneSurface* rows, uint faces) {
     Surfaces s;
     for (uint i = 0; i < TABLE_ROWS; ++i) {
-        const PtSurface row = rows[min(i, faces)];
+        const SceneSurface row = rows[min(i, faces)];
         s.field[0].row[i] = row.centre_matte.x;
         s.field[1].row[i] = row.centre_matte.y;
         s.field[2].row[i] = row.centre_matte.z;
@@ -53,10 +53,10 @@ static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint 
 #else
 
 typedef struct Surfaces {
-    PT_SURFACE_SPACE const PtSurface* rows;
+    SCENE_SURFACE_SPACE const SceneSurface* rows;
 } Surfaces;
 
-static inline Surfaces surfaces_of(PT_SURFACE_SPACE const PtSurface* rows, uint faces) {
+static inline Surfaces surfaces_of(SCENE_SURFACE_SPACE const SceneSurface* rows, uint faces) {
     Surfaces s;
     (void)faces;
     s.rows = rows;

@@ -1,14 +1,14 @@
-/* Units of work and the paths that work them off; the contract is PtLaunch in shared/pt.h. */
-#ifndef PTB_PT_UNIT_H
-#define PTB_PT_UNIT_H
+/* Units of work and the paths that work them off; the contract is EngineLaunch in shared/engine.h. */
+#ifndef PTB_ENGINE_UNIT_H
+#define PTB_ENGINE_UNIT_H
 
 #include "lib/random.h"
-#include "pt/surface.h"
+#include "scene/surface.h"
 
 typedef struct Path {
     Ray ray;
     Vec throughput;
-#ifdef PT_GLOWS
+#ifdef SCENE_GLOWS
     Vec radiance; /* gathered so far */
 #endif
     Sides inside;
@@ -16,17 +16,17 @@ typedef struct Path {
     lanes_u last_turn; /* of the work-item's loop, where every turn traces a segment of every path */
 } Path;
 
-/* Adds what a path meets. Where every emitter ends the path (no PT_GLOWS) its radiance is only asked for at the end; an
+/* Adds what a path meets. Where every emitter ends the path (no SCENE_GLOWS) its radiance is only asked for at the end; an
    emitter that ends paths has weight 1. */
 static inline void gather_radiance(Path* path, const Surfaces* surfaces, lanes_u face) {
-#ifdef PT_GLOWS
+#ifdef SCENE_GLOWS
     path->radiance = vec_mul_add(path->radiance, path->throughput, radiance_of(surfaces, face));
 #else
     (void)path, (void)surfaces, (void)face;
 #endif
 }
 static inline Vec gathered_radiance(const Path* path, const Surfaces* surfaces, lanes_u face) {
-#ifdef PT_GLOWS
+#ifdef SCENE_GLOWS
     (void)surfaces, (void)face;
     return path->radiance;
 #else
@@ -40,8 +40,8 @@ typedef struct Unit {
     lanes_u pixel_hash;
     lanes_f column, row; /* of its pixel, less 1, since random numbers begin there */
     lanes_u sample, end; /* the next one to start, and the one after the last */
-    lanes_u counts; /* its samples, and PT_FULL_LENGTH times its paths of full length */
-    lanes_u taken;  /* units so far, with PT_BOUNDED */
+    lanes_u counts; /* its samples, and ENGINE_FULL_LENGTH times its paths of full length */
+    lanes_u taken;  /* units so far, with ENGINE_BOUNDED */
     lanes_u first_turn;
     Vec sum, squares;
 } Unit;
@@ -68,12 +68,12 @@ static inline Path no_path(void) {
     const lanes_u none = (lanes_u)(0u);
     Path path;
     path.ray.origin = path.ray.direction = path.throughput = zero;
-#ifdef PT_GLOWS
+#ifdef SCENE_GLOWS
     path.radiance = zero;
 #endif
     path.random = random_none();
     path.last_turn = none;
-    for (uint i = 0; i < PT_SIDE_WORDS; ++i) path.inside.word[i] = none;
+    for (uint i = 0; i < SCENE_SIDE_WORDS; ++i) path.inside.word[i] = none;
     return path;
 }
 
@@ -87,9 +87,9 @@ static inline Spare no_spare(void) {
 
 /* Gives each wanting lane the next unit of the queue; returns the lanes that got one. */
 static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, uint turn, volatile __global uint* queue,
-                                    __global const uint* run_starts, const PtLaunch* launch) {
+                                    __global const uint* run_starts, const EngineLaunch* launch) {
     lanes_mask may = wanting;
-#ifdef PT_BOUNDED
+#ifdef ENGINE_BOUNDED
     may &= unit->taken < launch->units_per_lane;
     unit->taken += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), may);
 #endif
@@ -126,27 +126,27 @@ static inline void add_samples(Unit* unit, Vec radiance, lanes_mask ended) {
     unit->squares = vec_mul_add(unit->squares, added, added);
 }
 
-static inline void write_units(const Unit* unit, lanes_mask finished, uint turn, __global PtTally* tallies) {
+static inline void write_units(const Unit* unit, lanes_mask finished, uint turn, __global Tally* tallies) {
     for (uint lane = 0; lane < PTB_LANES; ++lane) {
         if (!LANE(finished, lane)) continue;
-        PtTally tally;
+        Tally tally;
         tally.radiance = (float4)(LANE(unit->sum.x, lane), LANE(unit->sum.y, lane), LANE(unit->sum.z, lane), 0.0f);
         tally.squares =
             (float4)(LANE(unit->squares.x, lane), LANE(unit->squares.y, lane), LANE(unit->squares.z, lane), 0.0f);
-        tally.samples = LANE(unit->counts, lane) % PT_FULL_LENGTH;
+        tally.samples = LANE(unit->counts, lane) % ENGINE_FULL_LENGTH;
         tally.segments = turn - LANE(unit->first_turn, lane);
-        tally.full_length_paths = LANE(unit->counts, lane) / PT_FULL_LENGTH;
+        tally.full_length_paths = LANE(unit->counts, lane) / ENGINE_FULL_LENGTH;
         tally.padding = 0u;
         tallies[LANE(unit->number, lane)] = tally;
     }
 }
 
 /* Where in its pixel a sample lies, in pixels from its corner, plus 1; u and v are uniform in [1, 2). */
-static inline void place_sample(lanes_u sample, lanes_f u, lanes_f v, const PtLaunch* launch, lanes_f* x, lanes_f* y) {
-#if defined(PT_FILTER) && PT_FILTER == PT_CENTRE
+static inline void place_sample(lanes_u sample, lanes_f u, lanes_f v, const EngineLaunch* launch, lanes_f* x, lanes_f* y) {
+#if defined(ENGINE_FILTER) && ENGINE_FILTER == ENGINE_CENTRE
     (void)sample, (void)u, (void)v, (void)launch;
     *x = *y = (lanes_f)(1.5f);
-#elif defined(PT_FILTER) && PT_FILTER == PT_STRATIFIED
+#elif defined(ENGINE_FILTER) && ENGINE_FILTER == ENGINE_STRATIFIED
     const lanes_u row = lanes_divide(sample, launch->strata_columns, launch->stratum_width);
     const lanes_u column = sample - row * launch->strata_columns;
     *x = (lanes_to_f(column) + (u - 1.0f)) * launch->stratum_width + 1.0f;
@@ -159,7 +159,7 @@ static inline void place_sample(lanes_u sample, lanes_f u, lanes_f v, const PtLa
 }
 
 /* Gives every lane without a spare one, while its unit has samples to start: a camera ray through a point of its pixel. */
-static inline void refill(Spare* spare, Unit* unit, const PtLaunch* launch) {
+static inline void refill(Spare* spare, Unit* unit, const EngineLaunch* launch) {
     Random random = random_of_path(unit->pixel_hash, unit->sample);
     lanes_u u, v;
     random_next_two(&random, &u, &v);
@@ -176,27 +176,27 @@ static inline void refill(Spare* spare, Unit* unit, const PtLaunch* launch) {
 
 /* What all paths start with. */
 typedef struct Start {
-    PT_SURFACE_SPACE const PtStart* row;
+    SCENE_SURFACE_SPACE const SceneStart* row;
     __global const uint* sides; /* all words */
 } Start;
 
 /* Ends these paths and starts the lanes' spares in their place. */
 static inline void start_spares(Path* path, Spare* spare, lanes_mask ended, uint turn,
-                                Start start, const PtLaunch* launch) {
+                                Start start, const EngineLaunch* launch) {
     path->ray.origin = vec_select(path->ray.origin, vec_of(start.row->position_side), ended);
     path->ray.direction = vec_select(path->ray.direction, spare->direction, ended);
     path->throughput = vec_select(path->throughput, vec_of((float4)(1.0f)), ended);
-#ifdef PT_GLOWS
+#ifdef SCENE_GLOWS
     path->radiance = vec_select(path->radiance, vec_of((float4)(0.0f)), ended);
 #endif
     path->random = random_select(path->random, spare->random, ended);
     path->last_turn = lanes_select_u(path->last_turn, (lanes_u)(turn + launch->path_length), ended);
     path->inside.word[0] = lanes_select_u(path->inside.word[0], (lanes_u)(as_uint(start.row->position_side.w)), ended);
-    for (uint i = 1; i < PT_SIDE_WORDS; ++i) {
+    for (uint i = 1; i < SCENE_SIDE_WORDS; ++i) {
         path->inside.word[i] = lanes_select_u(path->inside.word[i], (lanes_u)(start.sides[i]), ended);
     }
-#ifdef PT_CARRIED
-    for (uint i = 0; i < PT_FEW; ++i) {
+#ifdef SCENE_CARRIED
+    for (uint i = 0; i < SCENE_FEW; ++i) {
         path->ray.gap[i] = lanes_select(path->ray.gap[i], (lanes_f)(start.row->gap[i]), ended);
     }
 #endif
