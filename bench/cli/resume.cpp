@@ -43,7 +43,7 @@ RunFingerprint fingerprint_with_kernels(const ResultFile& now, const std::vector
     std::set<std::string> kernels;
     for (const Case& c : planned) kernels.insert(c.kernel);
     for (const auto& kernel : kernels)
-        facts["kernel " + kernel] = kernel_source(integrator(kernel).file, kernel_dir).hash;
+        facts["kernel " + kernel] = kernel_source(integrator(kernel).file(), kernel_dir).hash;
     return facts;
 }
 

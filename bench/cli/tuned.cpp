@@ -21,7 +21,7 @@ std::map<std::string, std::string> kernel_hashes(const Config& config) {
     std::map<std::string, std::string> hashes;
     for (const Case& c : expand(config, {DeviceInfo()})) hashes[c.kernel];
     for (auto& [kernel, hash] : hashes) try {
-            hash = kernel_source(integrator(kernel).file, config.measure.kernel_dir).hash;
+            hash = kernel_source(integrator(kernel).file(), config.measure.kernel_dir).hash;
         } catch (const SourceError&) {
         }
     return hashes;

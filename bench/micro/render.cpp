@@ -32,7 +32,7 @@ class DeviceBench {
         if (found != programs_.end()) return found->second;
         return programs_
             .emplace(kernel.id,
-                     ocl::build(device(), kernel_source(kernel.file), kernel.options(device(), scene(), job)))
+                     ocl::build(device(), kernel_source(kernel.file()), kernel.options(device(), scene(), job)))
             .first->second;
     }
 

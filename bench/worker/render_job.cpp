@@ -25,7 +25,7 @@ bool render_to_file(const RenderRequest& request, std::function<void(double done
                         c.variant};
     const std::string unsupported = unsupported_reason(kernel, device, scene, job);
     if (!unsupported.empty()) throw UsageError(unsupported);
-    const ocl::Program program = ocl::build(device, kernel_source(kernel.file, request.kernel_dir),
+    const ocl::Program program = ocl::build(device, kernel_source(kernel.file(), request.kernel_dir),
                                             kernel.options(device, scene, job));
     const auto render = kernel.make(device, program, scene, job);
     PassCutter cutter;

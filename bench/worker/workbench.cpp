@@ -161,7 +161,7 @@ Workbench::Job Workbench::resolve(const Case& params) {
 
 /// What is known of a build before it succeeds.
 Build Workbench::describe_source(const Job& job) const {
-    const KernelSource source = kernel_source(job.kernel->file, options_.kernel_dir);
+    const KernelSource source = kernel_source(job.kernel->file(), options_.kernel_dir);
     Build build;
     build.options = job.kernel->options(device_, *job.scene, job.work);
     build.kernel_hash = source.hash;
@@ -178,7 +178,7 @@ const BuiltKernel& Workbench::built(const Job& job, const RenderJob& work) {
     const std::string key = job.params.kernel + " " + options;
     const auto found = built_.find(key);
     if (found != built_.end()) return found->second;
-    const KernelSource source = kernel_source(job.kernel->file, options_.kernel_dir);
+    const KernelSource source = kernel_source(job.kernel->file(), options_.kernel_dir);
     const std::int64_t begin = now_ns();
     BuiltKernel fresh{ocl::build(device_, source, options), 0};
     fresh.build_ms = seconds_since(begin) * 1e3;
@@ -376,7 +376,7 @@ Counted Workbench::counted(const Job& job, const Record& record, const Stage& pr
         const std::string key = job.params.kernel + options;
         auto found = counting_.find(key);
         if (found == counting_.end()) {
-            const KernelSource source = kernel_source(job.kernel->file, options_.kernel_dir);
+            const KernelSource source = kernel_source(job.kernel->file(), options_.kernel_dir);
             found = counting_.emplace(key, ocl::build(device_, source, options)).first;
         }
         const double ns_per_sample = record.statistics->median_ns / static_cast<double>(record.work->samples);

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "shared/engine.h"
+#include "shared/scene.h"
 
 namespace ptb {
 
-/// A scene in the order and shape that the kernel `pt` wants: opaque spheres that the camera is outside of
+/// A scene in the order and shape that the engine's kernels want: opaque spheres that the camera is outside of
 /// first, then the two-sided ones (dielectrics, and whatever the camera is in), whose sides a path carries as
 /// bits.
 struct DeviceScene {
@@ -20,11 +20,13 @@ struct DeviceScene {
     /// Bit j from the top: the camera is inside two-sided sphere j; at least one word, see scene/scene.h.
     std::vector<std::uint32_t> camera_sides;
     std::uint32_t opaque = 0, two_sided = 0;
+    std::vector<SceneLamp> lamps;  ///< what can be sampled of the emitters
 
     std::uint64_t faces() const { return opaque + 2 * two_sided; }
     bool is_few() const { return faces() <= SCENE_FEW_MOST; }
     std::uint64_t bytes() const {
-        return spheres.size() * sizeof(SceneSphere) + surfaces.size() * sizeof(SceneSurface);
+        return spheres.size() * sizeof(SceneSphere) + surfaces.size() * sizeof(SceneSurface) +
+               lamps.size() * sizeof(SceneLamp);
     }
 };
 

@@ -1,15 +1,13 @@
 #include "core/integrator/engine.h"
 
 #include <algorithm>
-
-#include <fmt/format.h>
+#include <cmath>
 
 #include "core/integrator/camera.h"
-#include "core/integrator/film.h"
-#include "core/integrator/engine_options.h"
-#include "core/integrator/runs.h"
 #include "core/integrator/device_scene.h"
-#include "core/render/launcher.h"
+#include "core/integrator/engine_options.h"
+#include "core/integrator/film.h"
+#include "core/integrator/unit_cut.h"
 
 namespace ptb {
 
@@ -51,83 +49,86 @@ void stratify(EngineLaunch& launch, std::uint32_t spp) {
     launch.stratum_height = 1.0f / static_cast<float>(rows);
 }
 
-class PtRender : public Render {
+template <class Row>
+cl::Buffer upload(const ocl::Device& device, const std::vector<Row>& rows) {
+    std::vector<Row> copy = rows;
+    if (copy.empty()) copy.emplace_back();
+    return {device.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, copy.size() * sizeof(Row), copy.data()};
+}
+
+/// A scene on a device. No lamps are one row of zeros, since there is no empty buffer.
+struct SceneBuffers {
+    cl::Buffer spheres, surfaces, sides, lamps;
+    SceneFewSpheres few{};
+    std::uint64_t bytes = 0;
+
+    SceneBuffers(const ocl::Device& device, const DeviceScene& scene)
+        : spheres(upload(device, scene.spheres)),
+          surfaces(upload(device, scene.surfaces)),
+          sides(upload(device, scene.camera_sides)),
+          lamps(upload(device, scene.lamps)),
+          few(scene.few),
+          bytes(scene.bytes()) {}
+};
+
+/// What no launch of a job changes.
+EngineLaunch launch_of(const Scene& scene, const DeviceScene& device_scene, const RenderJob& job,
+                       const Shape& shape, const FilmScale& scale) {
+    EngineLaunch launch{};
+    launch.camera = device_camera(scene.camera, job.size);
+    launch.width = static_cast<std::uint32_t>(job.size.width);
+    launch.inverse_width = 1.0f / static_cast<float>(job.size.width);
+    launch.path_length = static_cast<std::uint32_t>(job.path_length);
+    launch.units_per_lane = static_cast<std::uint32_t>(shape.units_per_lane);
+    launch.seed = job.seed;
+    launch.opaque_spheres = device_scene.opaque;
+    launch.two_sided_spheres = device_scene.two_sided;
+    launch.lamps = static_cast<std::uint32_t>(device_scene.lamps.size());
+    launch.radiance_scale = std::ldexp(1.0f, scale.radiance);
+    launch.squares_scale = std::ldexp(1.0f, scale.squares);
+    stratify(launch, static_cast<std::uint32_t>(job.spp));
+    return launch;
+}
+
+class EngineRender : public Render {
   public:
-    PtRender(const ocl::Device& device, const ocl::Program& program, const Scene& scene, const RenderJob& job)
-        : device_(device),
-          job_(job),
-          shape_(shape_of(device, scene, job)),
-          pixels_(job.size.pixels()),
-          launcher_(device, job.variant),
-          counted_(device, program) {
-        shape_.max_units = std::min<std::uint64_t>(shape_.max_units, pixels_ * shape_.runs.count());
-        const DeviceScene pt_scene = make_device_scene(scene);
-        scene_bytes_ = pt_scene.bytes();
-        launch_.camera = device_camera(scene.camera, job.size);
-        launch_.width = static_cast<std::uint32_t>(job.size.width);
-        launch_.inverse_width = 1.0f / static_cast<float>(job.size.width);
-        launch_.path_length = static_cast<std::uint32_t>(job.path_length);
-        launch_.units_per_lane = static_cast<std::uint32_t>(shape_.units_per_lane);
-        launch_.seed = job.seed;
-        launch_.opaque_spheres = pt_scene.opaque;
-        launch_.two_sided_spheres = pt_scene.two_sided;
-        stratify(launch_, static_cast<std::uint32_t>(job.spp));
-        ocl::checked("pt buffers", device_.info.name, [&] {
-            render_ = cl::Kernel(program.program, "pt_render");
-            counted_.give(render_);
-            film_ = make_film_store(device_, program.program, job.size, job.variant.film_memory, counted_);
-            tallies_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, shape_.max_units * sizeof(Tally));
-            counters_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE,
-                                   slices_of(shape_.max_units) * sizeof(std::uint32_t));
-            spheres_ = upload(pt_scene.spheres);
-            surfaces_ = upload(pt_scene.surfaces);
-            sides_ = upload(pt_scene.camera_sides);
-            starts_ = upload(shape_.runs.starts);
-            few_ = pt_scene.few;
-        });
-        restart();
-    }
+    EngineRender(const Integrator& row, const ocl::Device& device, const ocl::Program& program,
+                 const Scene& scene, const RenderJob& job)
+        : EngineRender(row, device, program, scene, make_device_scene(scene), job) {}
 
     void restart() override {
-        ocl::checked("pt restart", device_.info.name, [&] {
+        ocl::checked(row_.id + " restart", device_.info.name, [&] {
             film_->clear(launcher_.queue());
             launcher_.queue().finish();
         });
         counted_.clear();
-        pixel_ = run_ = 0;
+        cut_.restart();
     }
 
-    std::uint64_t samples_left() const override {
-        const std::uint64_t left = shape_.runs.starts.back() - shape_.runs.starts[run_];
-        return left == 0 ? 0 : pixels_ * left - pixel_ * shape_.runs.length(run_);
-    }
+    std::uint64_t samples_left() const override { return cut_.samples_left(); }
 
     std::vector<LaunchTimes> advance(std::uint64_t samples) override {
-        plan_launch(samples);
-        const std::uint64_t slices = slices_of(launch_.units);
-        const Ranges ranges = ranges_of(launch_.units / slices);
-        const auto times = ocl::checked("pt_render, " + describe(ranges), device_.info.name, [&] {
-            launcher_.queue().enqueueFillBuffer(counters_, 0u, 0, slices * sizeof(std::uint32_t));
-            launcher_.barrier();
-            for (std::uint64_t i = 0; i < slices; ++i) launch_slice(i, slices);
-            launcher_.barrier();
-            film_->add(launcher_, tallies_, launch_);
-            return launcher_.finish();
-        });
-        step_on();
+        const UnitPiece piece = cut_.next(samples);
+        launch_.first_pixel = piece.first_pixel;
+        launch_.pixels = piece.pixels;
+        launch_.inverse_pixels = 1.0f / static_cast<float>(piece.pixels);
+        launch_.first_run = piece.first_run;
+        launch_.units = piece.units;
+        const auto times = launch_units();
+        cut_.step_over(piece);
         return times;
     }
 
     Film read_film() override {
         Film film;
-        film.mean = {job_.size, std::vector<float>(pixels_ * 3)};
+        film.mean = {job_.size, std::vector<float>(job_.size.pixels() * 3)};
         film.variance = film.mean;
         film.samples = film.full_length_paths = 0;
         for (int row = 0; row < job_.size.height; row += rows_at_once) {
             const int rows = std::min(rows_at_once, job_.size.height - row);
-            const std::vector<Tally> tallies = ocl::checked(
-                "pt film", device_.info.name, [&] { return film_->read(launcher_.queue(), row, rows); });
-            store_tallies(tallies, Size{job_.size.width, row}.pixels(), film);
+            const auto pixels = ocl::checked(row_.id + " film", device_.info.name,
+                                             [&] { return film_->read(launcher_.queue(), row, rows); });
+            store_pixels(pixels, Size{job_.size.width, row}.pixels(), scale_, film);
         }
         return film;
     }
@@ -135,39 +136,60 @@ class PtRender : public Render {
     ocl::KernelFacts facts() const override { return kernel_facts(device_, render_); }
     std::optional<Counts> counts() const override { return counted_.read(); }
     std::uint64_t device_bytes() const override {
-        return film_->bytes() + shape_.max_units * sizeof(Tally) + scene_bytes_;
+        return film_->bytes() + cut_.max_units() * sizeof(Tally) + scene_->bytes;
     }
 
   private:
-    template <class Row>
-    cl::Buffer upload(const std::vector<Row>& rows) const {
-        std::vector<Row> copy = rows;
-        return {device_.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, copy.size() * sizeof(Row),
-                copy.data()};
+    EngineRender(const Integrator& row, const ocl::Device& device, const ocl::Program& program,
+                 const Scene& scene, const DeviceScene& device_scene, const RenderJob& job)
+        : row_(row),
+          device_(device),
+          job_(job),
+          shape_(shape_of(device, scene, job)),
+          cut_(shape_.runs, job.size.pixels(), shape_.max_units),
+          scale_(film_scale(scene, job.spp, job.path_length)),
+          launcher_(device, job.variant),
+          counted_(device, program),
+          launch_(launch_of(scene, device_scene, job, shape_, scale_)) {
+        ocl::checked(row.id + " buffers", device_.info.name, [&] {
+            render_ = cl::Kernel(program.program, row.kernel("render").c_str());
+            counted_.give(render_);
+            film_ = make_film_store(device_, program.program, row.id, job, counted_);
+            tallies_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, cut_.max_units() * sizeof(Tally));
+            counters_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE,
+                                   slices_of(cut_.max_units()) * sizeof(std::uint32_t));
+            starts_ = upload(device_, shape_.runs.starts);
+            scene_.emplace(device_, device_scene);
+        });
+        restart();
     }
 
     static constexpr int rows_at_once = 256;  ///< of the film, on the host
 
-    static void store_tallies(const std::vector<Tally>& tallies, std::size_t first_pixel, Film& film) {
-        for (std::size_t i = 0; i < tallies.size(); ++i) {
-            const Tally& tally = tallies[i];
-            const std::size_t at = 3 * (first_pixel + i);
-            store_pixel(tally, &film.mean.rgb[at], &film.variance->rgb[at]);
-            *film.samples += tally.samples;
-            film.segments += tally.segments;
-            *film.full_length_paths += tally.full_length_paths;
-        }
+    std::vector<LaunchTimes> launch_units() {
+        const std::uint64_t slices = slices_of(launch_.units);
+        const Ranges ranges = ranges_of(launch_.units / slices);
+        const std::string what = row_.kernel("render") + ", " + describe(ranges);
+        return ocl::checked(what, device_.info.name, [&] {
+            launcher_.queue().enqueueFillBuffer(counters_, 0u, 0, slices * sizeof(std::uint32_t));
+            launcher_.barrier();
+            for (std::uint64_t i = 0; i < slices; ++i) launch_slice(i, slices);
+            launcher_.barrier();
+            film_->add(launcher_, tallies_, launch_);
+            return launcher_.finish();
+        });
     }
 
-    static void store_pixel(const Tally& tally, float* mean, float* variance) {
-        const double n = tally.samples;
-        const float sums[3] = {tally.radiance.x, tally.radiance.y, tally.radiance.z};
-        const float squares[3] = {tally.squares.x, tally.squares.y, tally.squares.z};
-        for (int c = 0; c < 3; ++c) {
-            const double m = n > 0 ? sums[c] / n : 0;
-            mean[c] = static_cast<float>(m);
-            variance[c] = n > 1 ? static_cast<float>(std::max(squares[c] - n * m * m, 0.0) / (n - 1)) : 0.0f;
-        }
+    void launch_slice(std::uint64_t slice, std::uint64_t slices) {
+        EngineLaunch part = launch_;
+        part.slice = static_cast<std::uint32_t>(slice);
+        part.first_unit = static_cast<std::uint32_t>(launch_.units * slice / slices);
+        part.units = static_cast<std::uint32_t>(launch_.units * (slice + 1) / slices);
+        cl_uint i = 0;
+        const auto give = [&](const auto& argument) { render_.setArg(i++, argument); };
+        give(tallies_), give(counters_), give(scene_->spheres), give(scene_->surfaces), give(scene_->sides);
+        give(starts_), give(scene_->lamps), give(scene_->few), give(part);
+        launcher_.launch(render_, ranges_of(part.units - part.first_unit));
     }
 
     /// Parts of a pass that are launched for themselves. A task may hold no more units than a work-item may
@@ -186,75 +208,28 @@ class PtRender : public Render {
         return launcher_.ranges(std::max(needed, wanted), job_.work_group_x);
     }
 
-    void launch_slice(std::uint64_t slice, std::uint64_t slices) {
-        EngineLaunch part = launch_;
-        part.slice = static_cast<std::uint32_t>(slice);
-        part.first_unit = static_cast<std::uint32_t>(launch_.units * slice / slices);
-        part.units = static_cast<std::uint32_t>(launch_.units * (slice + 1) / slices);
-        render_.setArg(0, tallies_);
-        render_.setArg(1, counters_);
-        render_.setArg(2, spheres_);
-        render_.setArg(3, surfaces_);
-        render_.setArg(4, sides_);
-        render_.setArg(5, starts_);
-        render_.setArg(6, few_);
-        render_.setArg(7, part);
-        launcher_.launch(render_, ranges_of(part.units - part.first_unit));
-    }
-
     /// At least four work-groups a compute unit: one that is alone keeps the others idle.
     std::uint64_t items() const {
         const auto group = static_cast<std::uint64_t>(std::max(job_.work_group_x, 1));
         return std::max(shape_.items, 4 * group * static_cast<std::uint64_t>(device_.info.compute_units));
     }
 
-    /// Whole runs of the image, if the budget holds one, else a band of pixels of one run.
-    void plan_launch(std::uint64_t samples) {
-        const std::uint32_t runs = pixel_ == 0 ? whole_runs(samples) : 0;
-        const std::uint64_t band =
-            std::clamp<std::uint64_t>(samples / shape_.runs.length(run_), 1, shape_.max_units);
-        launch_.first_pixel = static_cast<std::uint32_t>(pixel_);
-        launch_.pixels = static_cast<std::uint32_t>(runs > 0 ? pixels_ : std::min(band, pixels_ - pixel_));
-        launch_.inverse_pixels = 1.0f / static_cast<float>(launch_.pixels);
-        launch_.first_run = run_;
-        launch_.units = launch_.pixels * std::max(runs, 1u);
-    }
-
-    /// As many as the budget holds, to the end of a round if there is one among them.
-    std::uint32_t whole_runs(std::uint64_t samples) const {
-        const auto& starts = shape_.runs.starts;
-        std::uint32_t end = run_, round_end = run_;
-        while (end < shape_.runs.count() && (starts[end + 1] - starts[run_]) * pixels_ <= samples &&
-               (end + 1 - run_) * pixels_ <= shape_.max_units) {
-            if (shape_.runs.ends_round(end)) round_end = end + 1;
-            ++end;
-        }
-        return (round_end > run_ ? round_end : end) - run_;
-    }
-
-    void step_on() {
-        pixel_ += launch_.pixels;
-        if (pixel_ < pixels_) return;
-        pixel_ = 0;
-        run_ += launch_.units / launch_.pixels;
-    }
-
+    const Integrator& row_;
     ocl::Device device_;
     RenderJob job_;
     Shape shape_;
-    std::uint64_t pixels_, scene_bytes_ = 0;
-    std::uint64_t pixel_ = 0;  ///< first pixel of the next launch
-    std::uint32_t run_ = 0;    ///< its run of samples
+    UnitCut cut_;
+    FilmScale scale_;
     Launcher launcher_;
     CountedRows counted_;
     cl::Kernel render_;
     std::unique_ptr<FilmStore> film_;
-    cl::Buffer tallies_, counters_, spheres_, surfaces_, sides_, starts_;
-    SceneFewSpheres few_{};
-    EngineLaunch launch_{};
+    cl::Buffer tallies_, counters_, starts_;
+    std::optional<SceneBuffers> scene_;
+    EngineLaunch launch_;
 };
 
-Integrator::Memory memory(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+DeviceMemory memory(const Integrator&, const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     const Shape shape = shape_of(device, scene, job);
     const std::uint64_t units = job.size.pixels() * shape.runs.count();
     const std::uint64_t film = film_bytes_of(job.size, job.variant.film_memory);
@@ -263,19 +238,13 @@ Integrator::Memory memory(const ocl::Device& device, const Scene& scene, const R
             std::max(largest_film_object(job.size, job.variant.film_memory), tallies)};
 }
 
-std::unique_ptr<Render> make(const ocl::Device& device, const ocl::Program& program, const Scene& scene,
-                             const RenderJob& job) {
-    return std::make_unique<PtRender>(device, program, scene, job);
+std::unique_ptr<Render> make(const Integrator& row, const ocl::Device& device, const ocl::Program& program,
+                             const Scene& scene, const RenderJob& job) {
+    return std::make_unique<EngineRender>(row, device, program, scene, job);
 }
 
 }  // namespace
 
-Integrator pt_integrator() {
-    return {"pt",       "physically right path tracer: no next-event estimation, no roulette",
-            "pt/pt.cl", {1, 4, 8, 16, 32},
-            false,      true,
-            engine_options, engine_refusal,
-            memory,     make};
-}
+const Machinery engine_machinery{engine_options, engine_refusal, memory, make};
 
 }  // namespace ptb

@@ -45,7 +45,8 @@ Places places_of(const ocl::Device& device, const DeviceScene& scene, const Rend
                                                        : Places{SCENE_IN_GLOBAL, SCENE_IN_GLOBAL};
 }
 
-std::string memory_refusal(const ocl::Device& device, const DeviceScene& scene, const RenderJob& job) {
+std::string memory_refusal(const Integrator& row, const ocl::Device& device, const DeviceScene& scene,
+                           const RenderJob& job) {
     const std::uint64_t bytes = scene.bytes();
     const auto refused = [&](const std::string& memory, std::uint64_t limit) {
         return fmt::format("scene_memory {}: {} spheres take {} bytes, this device has {}", memory,
@@ -58,8 +59,8 @@ std::string memory_refusal(const ocl::Device& device, const DeviceScene& scene, 
         return refused("local", device.info.local_bytes);
     const bool by_value = memory == SceneMemory::argument || memory == SceneMemory::private_memory;
     if (by_value && !scene.is_few())
-        return fmt::format("scene_memory {}: pt takes at most {} faces so, these {} spheres have {}",
-                           memory == SceneMemory::argument ? "argument" : "private", SCENE_FEW_MOST,
+        return fmt::format("scene_memory {}: {} takes at most {} faces so, these {} spheres have {}",
+                           memory == SceneMemory::argument ? "argument" : "private", row.id, SCENE_FEW_MOST,
                            scene.spheres.size(), scene.faces());
     return "";
 }
@@ -67,15 +68,15 @@ std::string memory_refusal(const ocl::Device& device, const DeviceScene& scene, 
 /// The kernel divides by products, which are exact up to here.
 constexpr std::uint32_t most_rows = (1u << 22) - 1;
 
-std::string rows_refusal(const RenderJob& job) {
+std::string rows_refusal(const Integrator& row, const RenderJob& job) {
     if (static_cast<std::uint32_t>(job.size.height) > most_rows)
-        return fmt::format("size {}x{}: pt takes at most {} rows", job.size.width, job.size.height,
-                           most_rows);
+        return fmt::format("size {}x{}: {} takes at most {} rows", job.size.width, job.size.height,
+                           row.id, most_rows);
     const auto spp = static_cast<std::uint32_t>(job.spp);
     if (job.variant.pixel_filter != PixelFilter::stratified || spp / strata_columns(spp) <= most_rows)
         return "";
-    return fmt::format("pixel_filter stratified: {} samples make a grid of {} rows, pt takes at most {}", spp,
-                       spp / strata_columns(spp), most_rows);
+    return fmt::format("pixel_filter stratified: {} samples make a grid of {} rows, {} takes at most {}", spp,
+                       spp / strata_columns(spp), row.id, most_rows);
 }
 
 }  // namespace
@@ -86,15 +87,15 @@ std::uint32_t strata_columns(std::uint32_t spp) {
     return columns;
 }
 
-std::string engine_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+std::string engine_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     for (const std::string& reason :
-         {memory_refusal(device, make_device_scene(scene), job),
-          film_refusal(device, job.size, job.variant.film_memory), rows_refusal(job)})
+         {memory_refusal(row, device, make_device_scene(scene), job),
+          film_refusal(device, job.size, job.variant.film_memory), rows_refusal(row, job)})
         if (!reason.empty()) return reason;
     return "";
 }
 
-std::string engine_options(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+std::string engine_options(const Integrator&, const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     const DeviceScene pt_scene = make_device_scene(scene);
     const Places places = places_of(device, pt_scene, job);
     const bool lone_on_gpu = is_throughput_device(device) && job.lanes == 1;

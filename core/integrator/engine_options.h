@@ -3,15 +3,15 @@
 #include <cstdint>
 #include <string>
 
-#include "core/render/render.h"
+#include "core/integrator/registry.h"
 
 namespace ptb {
 
-/// Build options of `pt` for a job.
-std::string engine_options(const ocl::Device& device, const Scene& scene, const RenderJob& job);
+/// Build options of an integrator for a job.
+std::string engine_options(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job);
 
-/// Why `pt` does not do a job of this variant on this device, or nothing.
-std::string engine_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job);
+/// Why it does not do a job of this variant on this device, or nothing.
+std::string engine_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job);
 
 /// Of the grid of cells that stratified samples of a pixel lie in, one each: the largest divisor of spp that
 /// is not above its root.

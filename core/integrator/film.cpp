@@ -1,7 +1,10 @@
 #include "core/integrator/film.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -13,10 +16,31 @@ namespace {
 /// allows 32.
 constexpr int add_work_group = 32;
 
+double largest(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
+
+/// The most that emitters can send into a ray: each the whole of it, and one that scatters also what it is
+/// sent, and so on for as long as a path is.
+double most_radiance(const Scene& scene, int path_length) {
+    double radiance = 0, albedo = 0;
+    for (const Material& material : scene.materials) {
+        radiance = std::max(radiance, largest(material.radiance));
+        if (material.scatters && largest(material.radiance) > 0)
+            albedo = std::max(albedo, largest(material.albedo));
+    }
+    const double series = albedo < 1 ? 1 / (1 - albedo) : path_length;
+    return radiance > 0 ? radiance * std::min<double>(series, path_length) : 1;
+}
+
+double unscaled(ptb_long sum, int exponent) {
+    return sum == FILM_BROKEN ? std::numeric_limits<double>::quiet_NaN()
+                              : std::ldexp(static_cast<double>(sum), -exponent);
+}
+
 class BufferFilm : public FilmStore {
   public:
-    BufferFilm(const ocl::Device& device, const cl::Program& program, Size size, const CountedRows& counted)
-        : size_(size), add_(program, "pt_add"), film_(device.context, CL_MEM_READ_WRITE, bytes()) {
+    BufferFilm(const ocl::Device& device, const cl::Program& program, const std::string& integrator, Size size,
+               const CountedRows& counted)
+        : size_(size), add_(program, (integrator + "_add").c_str()), film_(device.context, CL_MEM_READ_WRITE, bytes()) {
         counted.give(add_);
     }
 
@@ -27,11 +51,11 @@ class BufferFilm : public FilmStore {
         add_.setArg(2, launch);
         launcher.launch(add_, one_dimensional(launch.pixels, add_work_group));
     }
-    std::vector<Tally> read(const cl::CommandQueue& queue, int first_row, int rows) override {
-        std::vector<Tally> tallies(Size{size_.width, rows}.pixels());
-        queue.enqueueReadBuffer(film_, CL_TRUE, Size{size_.width, first_row}.pixels() * sizeof(Tally),
-                                tallies.size() * sizeof(Tally), tallies.data());
-        return tallies;
+    std::vector<FilmPixel> read(const cl::CommandQueue& queue, int first_row, int rows) override {
+        std::vector<FilmPixel> pixels(Size{size_.width, rows}.pixels());
+        queue.enqueueReadBuffer(film_, CL_TRUE, Size{size_.width, first_row}.pixels() * sizeof(FilmPixel),
+                                pixels.size() * sizeof(FilmPixel), pixels.data());
+        return pixels;
     }
     std::uint64_t bytes() const override { return film_bytes_of(size_, FilmMemory::buffer); }
 
@@ -45,8 +69,9 @@ class BufferFilm : public FilmStore {
 /// other.
 class ImageFilm : public FilmStore {
   public:
-    ImageFilm(const ocl::Device& device, const cl::Program& program, Size size, const CountedRows& counted)
-        : size_(size), add_(program, "pt_add_to_image") {
+    ImageFilm(const ocl::Device& device, const cl::Program& program, const std::string& integrator, Size size,
+              const CountedRows& counted)
+        : size_(size), add_(program, (integrator + "_add_to_image").c_str()) {
         counted.give(add_);
         for (cl::Image2D& image : images_)
             image = cl::Image2D(device.context, CL_MEM_READ_WRITE,
@@ -65,30 +90,29 @@ class ImageFilm : public FilmStore {
         launcher.launch(add_, one_dimensional(size_.pixels(), add_work_group));
         std::swap(images_[0], images_[1]);
     }
-    std::vector<Tally> read(const cl::CommandQueue& queue, int first_row, int rows) override {
-        const auto radiance = layer(queue, 0, first_row, rows), squares = layer(queue, 1, first_row, rows),
-                   counts = layer(queue, 2, first_row, rows);
-        std::vector<Tally> tallies(counts.size());
-        for (std::size_t i = 0; i < tallies.size(); ++i)
-            tallies[i] = {as_floats(radiance[i]), as_floats(squares[i]), counts[i][0],
-                          counts[i][1],           counts[i][2],          0};
-        return tallies;
+    std::vector<FilmPixel> read(const cl::CommandQueue& queue, int first_row, int rows) override {
+        std::array<std::vector<Texel>, FILM_LAYERS> layers;
+        for (std::size_t i = 0; i < layers.size(); ++i) layers[i] = layer(queue, i, first_row, rows);
+        std::vector<FilmPixel> pixels(layers[0].size());
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            pixels[i] = std::bit_cast<FilmPixel>(
+                std::array<Texel, FILM_LAYERS>{layers[0][i], layers[1][i], layers[2][i], layers[3][i]});
+        return pixels;
     }
     std::uint64_t bytes() const override { return film_bytes_of(size_, FilmMemory::image); }
 
   private:
     using Texel = std::array<std::uint32_t, 4>;
-    static ptb_float4 as_floats(const Texel& texel) { return std::bit_cast<ptb_float4>(texel); }
-    std::vector<Texel> layer(const cl::CommandQueue& queue, int number, int first_row, int rows) const {
+    std::vector<Texel> layer(const cl::CommandQueue& queue, std::size_t number, int first_row, int rows) const {
         std::vector<Texel> texels(Size{size_.width, rows}.pixels());
-        const auto row = static_cast<std::size_t>(number) * static_cast<std::size_t>(size_.height) +
+        const auto row = number * static_cast<std::size_t>(size_.height) +
                          static_cast<std::size_t>(first_row);
         queue.enqueueReadImage(images_[0], CL_TRUE, {0, row, 0}, {width(), static_cast<std::size_t>(rows), 1},
                                0, 0, texels.data());
         return texels;
     }
     std::size_t width() const { return static_cast<std::size_t>(size_.width); }
-    std::size_t height() const { return static_cast<std::size_t>(size_.height) * ENGINE_FILM_LAYERS; }
+    std::size_t height() const { return static_cast<std::size_t>(size_.height) * FILM_LAYERS; }
 
     Size size_;
     cl::Kernel add_;
@@ -97,13 +121,41 @@ class ImageFilm : public FilmStore {
 
 }  // namespace
 
-std::unique_ptr<FilmStore> make_film_store(const ocl::Device& device, const cl::Program& program, Size size,
-                                     FilmMemory memory, const CountedRows& counted) {
-    if (memory == FilmMemory::image) return std::make_unique<ImageFilm>(device, program, size, counted);
-    return std::make_unique<BufferFilm>(device, program, size, counted);
+FilmScale film_scale(const Scene& scene, int spp, int path_length) {
+    const auto bits = [](double most) { return static_cast<int>(std::ceil(std::log2(most))); };
+    const int samples = bits(spp), radiance = bits(most_radiance(scene, path_length));
+    constexpr int room = 62, finest = 100;  // beyond, floats end
+    return {std::clamp(room - 4 - samples - radiance, -finest, finest),
+            std::clamp(room - 6 - samples - 2 * radiance, -finest, finest)};
 }
 
-std::uint64_t largest_film_object(Size size, FilmMemory) { return size.pixels() * sizeof(Tally); }
+void store_pixels(const std::vector<FilmPixel>& pixels, std::size_t first, const FilmScale& scale, Film& film) {
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const FilmPixel& pixel = pixels[i];
+        const double n = pixel.samples;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double mean = n > 0 ? unscaled(pixel.radiance[c], scale.radiance) / n : 0;
+            const double deviations = unscaled(pixel.squares[c], scale.squares) - n * mean * mean;
+            film.mean.rgb[3 * (first + i) + c] = static_cast<float>(mean);
+            film.variance->rgb[3 * (first + i) + c] =
+                n > 1 ? static_cast<float>(std::max(deviations, 0.0) / (n - 1)) : 0.0f;
+        }
+        *film.samples += pixel.samples;
+        film.segments += pixel.segments;
+        *film.full_length_paths += pixel.full_length_paths;
+        film.shadow_rays += pixel.shadow_rays;
+    }
+}
+
+std::unique_ptr<FilmStore> make_film_store(const ocl::Device& device, const cl::Program& program,
+                                           const std::string& integrator, const RenderJob& job,
+                                           const CountedRows& counted) {
+    if (job.variant.film_memory == FilmMemory::image)
+        return std::make_unique<ImageFilm>(device, program, integrator, job.size, counted);
+    return std::make_unique<BufferFilm>(device, program, integrator, job.size, counted);
+}
+
+std::uint64_t largest_film_object(Size size, FilmMemory) { return size.pixels() * sizeof(FilmPixel); }
 
 std::uint64_t film_bytes_of(Size size, FilmMemory memory) {
     return largest_film_object(size, memory) * (memory == FilmMemory::image ? 2 : 1);
@@ -112,7 +164,7 @@ std::uint64_t film_bytes_of(Size size, FilmMemory memory) {
 std::string film_refusal(const ocl::Device& device, Size size, FilmMemory memory) {
     if (memory == FilmMemory::buffer) return "";
     if (!device.info.images) return "film_memory image: this device has no images";
-    const std::uint64_t rows = static_cast<std::uint64_t>(size.height) * ENGINE_FILM_LAYERS;
+    const std::uint64_t rows = static_cast<std::uint64_t>(size.height) * FILM_LAYERS;
     const std::uint64_t columns = static_cast<std::uint64_t>(size.width);
     const std::uint64_t most_rows = device.device.getInfo<CL_DEVICE_IMAGE2D_MAX_HEIGHT>();
     const std::uint64_t most_columns = device.device.getInfo<CL_DEVICE_IMAGE2D_MAX_WIDTH>();

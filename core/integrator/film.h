@@ -1,30 +1,45 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/image/image.h"
 #include "core/render/counted_rows.h"
 #include "core/render/launcher.h"
+#include "core/render/render.h"
 #include "shared/engine.h"
 
 namespace ptb {
 
-/// What holds the sums of `pt`'s pixels on a device. Methods throw cl::Error.
+/// What one unit of a film's sums is worth: 2^-radiance of radiance, 2^-squares of its square.
+struct FilmScale {
+    int radiance = 0, squares = 0;
+};
+
+/// As fine as leaves room for the sums of `spp` samples of this scene with some to spare: a factor of 16 in a
+/// pixel's mean radiance over what the scene's emitters can send into it, 64 in the mean of its square.
+FilmScale film_scale(const Scene& scene, int spp, int path_length);
+
+/// The picture and the counts of some pixels, added to `film` from pixel `first` on. A broken sum is NaN.
+void store_pixels(const std::vector<FilmPixel>& pixels, std::size_t first, const FilmScale& scale, Film& film);
+
+/// What holds the sums of pixels on a device. Methods throw cl::Error.
 class FilmStore {
   public:
     virtual ~FilmStore() = default;
     virtual void clear(const cl::CommandQueue& queue) = 0;
     /// Adds the tallies of a launch.
     virtual void add(Launcher& launcher, const cl::Buffer& tallies, const EngineLaunch& launch) = 0;
-    /// One tally a pixel of these rows: a large film would take twice its size on the host at once.
-    virtual std::vector<Tally> read(const cl::CommandQueue& queue, int first_row, int rows) = 0;
+    /// These rows: a large film would take twice its size on the host at once.
+    virtual std::vector<FilmPixel> read(const cl::CommandQueue& queue, int first_row, int rows) = 0;
     virtual std::uint64_t bytes() const = 0;
 };
 
-/// Its kernel leaves its counts in `counted`.
-std::unique_ptr<FilmStore> make_film_store(const ocl::Device& device, const cl::Program& program, Size size,
-                                     FilmMemory memory, const CountedRows& counted);
+/// The kernels that add to it are `integrator`'s, which leave their counts in `counted`.
+std::unique_ptr<FilmStore> make_film_store(const ocl::Device& device, const cl::Program& program,
+                                           const std::string& integrator, const RenderJob& job,
+                                           const CountedRows& counted);
 
 /// Device memory of a film, and its largest object, bytes.
 std::uint64_t film_bytes_of(Size size, FilmMemory memory);

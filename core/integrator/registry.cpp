@@ -46,7 +46,17 @@ std::string work_group_reason(const Integrator& integrator, const DeviceInfo& in
 }  // namespace
 
 const std::vector<Integrator>& integrators() {
-    static const std::vector<Integrator> all{thesis_integrator(), pt_integrator()};
+    static const std::vector<Integrator> all{
+        {.id = "thesis",
+         .summary = "the 2016 thesis' algorithm, its habits and defects kept: the throughput baseline",
+         .machinery = &thesis_machinery,
+         .lanes = {1},
+         .two_dimensional = true,
+         .counts_full_length = false},
+        {.id = "pt",
+         .summary = "physically right path tracer: no next-event estimation, no roulette",
+         .machinery = &engine_machinery},
+    };
     return all;
 }
 

@@ -8,25 +8,48 @@
 
 namespace ptb {
 
+struct Integrator;
+
+/// Device memory that a render asks for, and the largest single object, bytes.
+struct DeviceMemory {
+    std::uint64_t total = 0, largest = 0;
+};
+
+/// How work is put on a device. `thesis` has its own way, all others share the engine.
+struct Machinery {
+    std::string (*options)(const Integrator&, const ocl::Device&, const Scene&, const RenderJob&);
+    std::string (*refusal)(const Integrator&, const ocl::Device&, const Scene&, const RenderJob&);
+    DeviceMemory (*memory)(const Integrator&, const ocl::Device&, const Scene&, const RenderJob&);
+    std::unique_ptr<Render> (*make)(const Integrator&, const ocl::Device&, const ocl::Program&, const Scene&,
+                                    const RenderJob&);
+};
+
 /// One row of the registry: everything the rest of the program knows of an integrator.
 struct Integrator {
-    std::string id;
-    std::string summary;      ///< one line for `ptbench list`
-    std::string file;         ///< of kernels/, "pt/pt.cl"
-    std::vector<int> lanes;   ///< lane widths it can be built for
-    bool two_dimensional;     ///< its work units are pixels, so a 2-D work-group means something
-    bool counts_full_length;  ///< its film counts samples and full-length paths
+    std::string id;       ///< also of its folder in kernels/, its file and its kernels: pt/pt.cl, pt_render
+    std::string summary;  ///< one line for `ptbench list`
+    const Machinery* machinery = nullptr;
+    std::vector<int> lanes = {1, 4, 8, 16, 32};  ///< lane widths it can be built for
+    bool two_dimensional = false;    ///< its work units are pixels, so a 2-D work-group means something
+    bool counts_full_length = true;  ///< its film counts samples and full-length paths
+
+    std::string file() const { return id + "/" + id + ".cl"; }  ///< of kernels/
+    std::string kernel(const std::string& verb) const { return id + "_" + verb; }
     /// Build options for a job.
-    std::string (*options)(const ocl::Device& device, const Scene& scene, const RenderJob& job);
+    std::string options(const ocl::Device& device, const Scene& scene, const RenderJob& job) const {
+        return machinery->options(*this, device, scene, job);
+    }
     /// Why it does not do a job of this variant, which the device may be able to do, or nothing.
-    std::string (*refusal)(const ocl::Device& device, const Scene& scene, const RenderJob& job);
-    /// Device memory that `make` will ask for, and the largest single buffer, in bytes.
-    struct Memory {
-        std::uint64_t total = 0, largest = 0;
-    };
-    Memory (*memory)(const ocl::Device& device, const Scene& scene, const RenderJob& job);
-    std::unique_ptr<Render> (*make)(const ocl::Device& device, const ocl::Program& program,
-                                    const Scene& scene, const RenderJob& job);
+    std::string refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job) const {
+        return machinery->refusal(*this, device, scene, job);
+    }
+    DeviceMemory memory(const ocl::Device& device, const Scene& scene, const RenderJob& job) const {
+        return machinery->memory(*this, device, scene, job);
+    }
+    std::unique_ptr<Render> make(const ocl::Device& device, const ocl::Program& program, const Scene& scene,
+                                 const RenderJob& job) const {
+        return machinery->make(*this, device, program, scene, job);
+    }
 };
 
 /// Every integrator, the plain one first.

@@ -191,44 +191,33 @@ class ThesisRender : public Render {
     ThesisLaunch launch_{};
 };
 
-std::string options(const ocl::Device& device, const Scene&, const RenderJob& job) {
+std::string options(const Integrator&, const ocl::Device& device, const Scene&, const RenderJob& job) {
     return common_options(device, job);
 }
 
-std::string refusal(const ocl::Device&, const Scene&, const RenderJob& job) {
+std::string refusal(const Integrator& row, const ocl::Device&, const Scene&, const RenderJob& job) {
     for (const auto& [axis, has] : {std::pair("scene_memory", std::vector<std::string>{"auto", "global"}),
                                     std::pair("film_memory", std::vector<std::string>{"buffer"}),
                                     std::pair("pixel_filter", std::vector<std::string>{"jitter"}),
                                     std::pair("rng", std::vector<std::string>{"auto", "park_miller"})})
-        if (const std::string reason = choice_refusal("thesis", axis, job.variant, has); !reason.empty())
+        if (const std::string reason = choice_refusal(row.id, axis, job.variant, has); !reason.empty())
             return reason;
     return "";
 }
 
-Integrator::Memory memory(const ocl::Device&, const Scene& scene, const RenderJob& job) {
+DeviceMemory memory(const Integrator&, const ocl::Device&, const Scene& scene, const RenderJob& job) {
     const std::uint64_t film = job.size.pixels() * sizeof(ptb_float4);
     return {film + job.size.pixels() * sizeof(std::int32_t) + scene.spheres.size() * sizeof(ThesisSphere),
             film};
 }
 
-std::unique_ptr<Render> make(const ocl::Device& device, const ocl::Program& program, const Scene& scene,
-                             const RenderJob& job) {
+std::unique_ptr<Render> make(const Integrator&, const ocl::Device& device, const ocl::Program& program,
+                             const Scene& scene, const RenderJob& job) {
     return std::make_unique<ThesisRender>(device, program, scene, job);
 }
 
 }  // namespace
 
-Integrator thesis_integrator() {
-    return {"thesis",
-            "the 2016 thesis' algorithm, its habits and defects kept: the throughput baseline",
-            "thesis/thesis.cl",
-            {1},
-            true,
-            false,
-            options,
-            refusal,
-            memory,
-            make};
-}
+const Machinery thesis_machinery{options, refusal, memory, make};
 
 }  // namespace ptb

@@ -4,6 +4,7 @@
 
 namespace ptb {
 
-Integrator thesis_integrator();
+/// One work-item a pixel, everything in global memory.
+extern const Machinery thesis_machinery;
 
 }  // namespace ptb

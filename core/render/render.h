@@ -36,6 +36,7 @@ struct Film {
     std::optional<Image> variance;  ///< unbiased variance of one sample; needs two samples a pixel
     std::optional<std::uint64_t> samples;
     std::uint64_t segments = 0;
+    std::uint64_t shadow_rays = 0;  ///< beside the segments, of integrators that have them
     std::optional<std::uint64_t> full_length_paths;
 };
 

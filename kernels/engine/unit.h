@@ -1,38 +1,9 @@
-/* Units of work and the paths that work them off; the contract is EngineLaunch in shared/engine.h. */
+/* Units of work, and the samples that lanes take from them; the contract is EngineLaunch in shared/engine.h. */
 #ifndef PTB_ENGINE_UNIT_H
 #define PTB_ENGINE_UNIT_H
 
-#include "lib/random.h"
-#include "scene/surface.h"
-
-typedef struct Path {
-    Ray ray;
-    Vec throughput;
-#ifdef SCENE_GLOWS
-    Vec radiance; /* gathered so far */
-#endif
-    Sides inside;
-    Random random;
-    lanes_u last_turn; /* of the work-item's loop, where every turn traces a segment of every path */
-} Path;
-
-/* Adds what a path meets. Where every emitter ends the path (no SCENE_GLOWS) its radiance is only asked for at the end; an
-   emitter that ends paths has weight 1. */
-static inline void gather_radiance(Path* path, const Surfaces* surfaces, lanes_u face) {
-#ifdef SCENE_GLOWS
-    path->radiance = vec_mul_add(path->radiance, path->throughput, radiance_of(surfaces, face));
-#else
-    (void)path, (void)surfaces, (void)face;
-#endif
-}
-static inline Vec gathered_radiance(const Path* path, const Surfaces* surfaces, lanes_u face) {
-#ifdef SCENE_GLOWS
-    (void)surfaces, (void)face;
-    return path->radiance;
-#else
-    return vec_mul(path->throughput, radiance_of(surfaces, face));
-#endif
-}
+#include "engine/path.h"
+#include "shared/engine.h"
 
 /* The unit each lane works on, and its sums so far. */
 typedef struct Unit {
@@ -42,7 +13,7 @@ typedef struct Unit {
     lanes_u sample, end; /* the next one to start, and the one after the last */
     lanes_u counts; /* its samples, and ENGINE_FULL_LENGTH times its paths of full length */
     lanes_u taken;  /* units so far, with ENGINE_BOUNDED */
-    lanes_u first_turn;
+    lanes_u first_turn, first_shadow_ray;
     Vec sum, squares;
 } Unit;
 
@@ -59,22 +30,8 @@ static inline Unit no_unit(void) {
     const Vec zero = vec_of((float4)(0.0f));
     const lanes_f nowhere = (lanes_f)(0.0f);
     const lanes_u none = (lanes_u)(0u);
-    const Unit unit = {none, none, nowhere, nowhere, none, none, none, none, none, zero, zero};
+    const Unit unit = {none, none, nowhere, nowhere, none, none, none, none, none, none, zero, zero};
     return unit;
-}
-
-static inline Path no_path(void) {
-    const Vec zero = vec_of((float4)(0.0f));
-    const lanes_u none = (lanes_u)(0u);
-    Path path;
-    path.ray.origin = path.ray.direction = path.throughput = zero;
-#ifdef SCENE_GLOWS
-    path.radiance = zero;
-#endif
-    path.random = random_none();
-    path.last_turn = none;
-    for (uint i = 0; i < SCENE_SIDE_WORDS; ++i) path.inside.word[i] = none;
-    return path;
 }
 
 static inline Spare no_spare(void) {
@@ -86,7 +43,7 @@ static inline Spare no_spare(void) {
 }
 
 /* Gives each wanting lane the next unit of the queue; returns the lanes that got one. */
-static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, uint turn, volatile __global uint* queue,
+static inline lanes_mask take_units(Unit* unit, const Path* path, lanes_mask wanting, uint turn, volatile __global uint* queue,
                                     __global const uint* run_starts, const EngineLaunch* launch) {
     lanes_mask may = wanting;
 #ifdef ENGINE_BOUNDED
@@ -113,6 +70,7 @@ static inline lanes_mask take_units(Unit* unit, lanes_mask wanting, uint turn, v
     unit->end = lanes_select_u(unit->end, end, got);
     unit->counts = lanes_select_u(unit->counts, end - first, got);
     unit->first_turn = lanes_select_u(unit->first_turn, (lanes_u)(turn), got);
+    unit->first_shadow_ray = lanes_select_u(unit->first_shadow_ray, shadow_rays_of(path), got);
     const Vec zero = vec_of((float4)(0.0f));
     unit->sum = vec_select(unit->sum, zero, wanted);
     unit->squares = vec_select(unit->squares, zero, wanted);
@@ -126,7 +84,8 @@ static inline void add_samples(Unit* unit, Vec radiance, lanes_mask ended) {
     unit->squares = vec_mul_add(unit->squares, added, added);
 }
 
-static inline void write_units(const Unit* unit, lanes_mask finished, uint turn, __global Tally* tallies) {
+static inline void write_units(const Unit* unit, const Path* path, lanes_mask finished, uint turn, __global Tally* tallies) {
+    const lanes_u shadow_rays = shadow_rays_of(path) - unit->first_shadow_ray;
     for (uint lane = 0; lane < PTB_LANES; ++lane) {
         if (!LANE(finished, lane)) continue;
         Tally tally;
@@ -136,7 +95,7 @@ static inline void write_units(const Unit* unit, lanes_mask finished, uint turn,
         tally.samples = LANE(unit->counts, lane) % ENGINE_FULL_LENGTH;
         tally.segments = turn - LANE(unit->first_turn, lane);
         tally.full_length_paths = LANE(unit->counts, lane) / ENGINE_FULL_LENGTH;
-        tally.padding = 0u;
+        tally.shadow_rays = LANE(shadow_rays, lane);
         tallies[LANE(unit->number, lane)] = tally;
     }
 }
@@ -186,8 +145,9 @@ static inline void start_spares(Path* path, Spare* spare, lanes_mask ended, uint
     path->ray.origin = vec_select(path->ray.origin, vec_of(start.row->position_side), ended);
     path->ray.direction = vec_select(path->ray.direction, spare->direction, ended);
     path->throughput = vec_select(path->throughput, vec_of((float4)(1.0f)), ended);
-#ifdef SCENE_GLOWS
+#ifdef PATH_GATHERS
     path->radiance = vec_select(path->radiance, vec_of((float4)(0.0f)), ended);
+    path->inverse_density = lanes_select(path->inverse_density, (lanes_f)(0.0f), ended);
 #endif
     path->random = random_select(path->random, spare->random, ended);
     path->last_turn = lanes_select_u(path->last_turn, (lanes_u)(turn + launch->path_length), ended);

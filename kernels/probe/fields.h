@@ -8,20 +8,25 @@
 
 #define PTB_SHARED_FIELDS(S, F)                                                                       \
     S(PtbCamera) F(PtbCamera, position) F(PtbCamera, corner) F(PtbCamera, step_x) F(PtbCamera, step_y) \
-    S(SceneSphere) F(SceneSphere, centre_k)                                                                 \
-    S(SceneSurface) F(SceneSurface, centre_matte) F(SceneSurface, weight_eta) F(SceneSurface, radiance)           \
-    F(SceneSurface, traits) F(SceneSurface, padding)                                                        \
-    S(SceneFewSpheres) F(SceneFewSpheres, sphere) S(SceneStart) F(SceneStart, position_side) F(SceneStart, gap)      \
-    F(SceneStart, distance_mask)                                                                         \
-    S(EngineLaunch) F(EngineLaunch, camera) F(EngineLaunch, width) F(EngineLaunch, inverse_width)                     \
-    F(EngineLaunch, first_pixel) F(EngineLaunch, pixels) F(EngineLaunch, inverse_pixels) F(EngineLaunch, first_run)   \
-    F(EngineLaunch, units) F(EngineLaunch, path_length) F(EngineLaunch, seed)                                     \
-    F(EngineLaunch, opaque_spheres) F(EngineLaunch, two_sided_spheres) F(EngineLaunch, units_per_lane)            \
-    F(EngineLaunch, first_unit) F(EngineLaunch, slice)                                                        \
-    F(EngineLaunch, strata_columns) F(EngineLaunch, stratum_width) F(EngineLaunch, stratum_height)                \
-    F(EngineLaunch, padding)                                                                              \
-    S(Tally) F(Tally, radiance) F(Tally, squares) F(Tally, samples) F(Tally, segments)      \
-    F(Tally, full_length_paths) F(Tally, padding)                                                 \
+    S(SceneSphere) F(SceneSphere, centre_k)                                                            \
+    S(SceneSurface) F(SceneSurface, centre_matte) F(SceneSurface, weight_eta) F(SceneSurface, radiance) \
+    F(SceneSurface, traits) F(SceneSurface, padding)                                                   \
+    S(SceneFewSpheres) F(SceneFewSpheres, sphere)                                                      \
+    S(SceneStart) F(SceneStart, position_side) F(SceneStart, gap) F(SceneStart, distance_mask)         \
+    S(SceneLamp) F(SceneLamp, centre_radius) F(SceneLamp, axis_extent) F(SceneLamp, radiance_kept)     \
+    F(SceneLamp, middle_sent) F(SceneLamp, chance) F(SceneLamp, cap_density)                           \
+    F(SceneLamp, near_squared) F(SceneLamp, alias) F(SceneLamp, face) F(SceneLamp, padding)            \
+    S(EngineLaunch) F(EngineLaunch, camera) F(EngineLaunch, width) F(EngineLaunch, inverse_width)      \
+    F(EngineLaunch, first_pixel) F(EngineLaunch, pixels) F(EngineLaunch, inverse_pixels)               \
+    F(EngineLaunch, first_run) F(EngineLaunch, units) F(EngineLaunch, path_length)                     \
+    F(EngineLaunch, seed) F(EngineLaunch, opaque_spheres) F(EngineLaunch, two_sided_spheres)           \
+    F(EngineLaunch, units_per_lane) F(EngineLaunch, first_unit) F(EngineLaunch, slice)                 \
+    F(EngineLaunch, strata_columns) F(EngineLaunch, stratum_width) F(EngineLaunch, stratum_height)     \
+    F(EngineLaunch, radiance_scale) F(EngineLaunch, squares_scale) F(EngineLaunch, lamps)              \
+    S(Tally) F(Tally, radiance) F(Tally, squares) F(Tally, samples) F(Tally, segments)                 \
+    F(Tally, full_length_paths) F(Tally, shadow_rays)                                                  \
+    S(FilmPixel) F(FilmPixel, radiance) F(FilmPixel, squares) F(FilmPixel, samples)                    \
+    F(FilmPixel, segments) F(FilmPixel, full_length_paths) F(FilmPixel, shadow_rays)                   \
     S(ThesisMaterial) F(ThesisMaterial, colour) F(ThesisMaterial, radiance) F(ThesisMaterial, type)   \
     F(ThesisMaterial, ior) F(ThesisMaterial, scatters) F(ThesisMaterial, padding)                     \
     S(ThesisSphere) F(ThesisSphere, centre_radius) F(ThesisSphere, material)                          \

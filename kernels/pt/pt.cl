@@ -1,181 +1,46 @@
-/* `pt`: the physically right path tracer. Every work-item keeps PTB_LANES paths in registers; a lane whose path ended
-   starts the next sample at once (path regeneration), and a lane whose unit of samples is done takes the next unit from
-   one queue, so lanes stay busy whatever the work-group. A unit's sums depend on its number alone and are added to the
-   film in the order of their numbers by a second kernel: no bit of the image depends on the launch. */
+/* `pt`: the physically right path tracer. A path gathers what emitters it meets send back along it, and nothing else. */
+#include "engine/path.h"
+#include "engine/work.h"
 #include "scene/scatter.h"
-#include "engine/unit.h"
-#include "scene/work.h"
 
-/* PoCL stores every variable of a kernel's loop to memory at each turn, but not those of a function that it may not
-   inline: 10.3 -> 11.7 Msamples/s (two AVX-512 cores). One that reads local memory it compiles to a crash (PoCL 3.1). */
-#if PTB_LANES > 1 && SCENE_SPHERES != SCENE_IN_LOCAL && SCENE_SURFACES != SCENE_IN_LOCAL
-#define ENGINE_OUTLINE static __attribute__((noinline))
+/* Adds what a path meets; an emitter that ends paths has weight 1. */
+static inline void gather_radiance(Path* path, const Surfaces* surfaces, lanes_u face) {
+#ifdef PATH_GATHERS
+    path->radiance = vec_mul_add(path->radiance, path->throughput, radiance_of(surfaces, face));
 #else
-#define ENGINE_OUTLINE static inline
+    (void)path, (void)surfaces, (void)face;
 #endif
-
-/* Segments that a lone lane traces before it looks after its paths' ends. On GPUs the lanes of a warp end one by one, and
-   all wait while one starts anew: better that the ended ones wait for each other. 1: 3.02, 6: 3.47 Gsamples/s (H200). */
-#ifndef ENGINE_BATCH
-#define ENGINE_BATCH 1
-#endif
-
-ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queue, SCENE_SPHERE_SPACE const SceneSphere* spheres,
-                            SCENE_SURFACE_SPACE const SceneSurface* surface_rows, __global const uint* camera_sides,
-                            __global const uint* run_starts, EngineLaunch launch COUNTED_PARAMETER) {
-#ifdef SCENE_FEW
-    const uint opaque = SCENE_OPAQUE, count = SCENE_FEW;
-#else
-    const uint opaque = launch.opaque_spheres, count = opaque + launch.two_sided_spheres;
-#endif
-    Scene scene = {spheres, opaque, count, 0u};
-    const Surfaces surfaces = surfaces_of(surface_rows, background(scene));
-    const Start start = {(SCENE_SURFACE_SPACE const SceneStart*)&surface_rows[background(scene) + 1u], camera_sides};
-    scene.distance_mask = start.row->distance_mask;
-    Unit unit = no_unit();
-    Path path = no_path();
-    Spare spare = no_spare();
-    lanes_mask alive = take_units(&unit, lanes_all(), 0u, queue, run_starts, &launch);
-    COUNTED_LANES(lanes_all(), ENGINE_TAKE_WORK)
-    refill(&spare, &unit, &launch);
-    start_spares(&path, &spare, alive, 0u, start, &launch);
-
-    uint turn = 0u;
-    while (lanes_any(alive)) {
-        lanes_u face;
-        lanes_mask ends;
-        const uint stop = uint_hold(min(turn + ENGINE_BATCH, LANE(path.last_turn, 0)));
-        do {
-            const Hit hit = nearest_hit(scene, &path.ray, &path.inside);
-            const Vec draw = draw_bounce(&path.random);
-            face = hit_face(&hit);
-            const Surface surface = surface_of(&surfaces, face);
-            gather_radiance(&path, &surfaces, face);
-            path.throughput = vec_mul(path.throughput, surface.weight);
-            COUNTED_SEGMENTS(counted_lanes(alive))
-            COUNTED(1u, SCENE_STEP_WORK(scene.count))
-            COUNTED_LANES(alive, SCENE_SEGMENT_WORK(scene))
-            COUNTED(two_sided_spheres(scene) > 0u ? counted_lanes(alive) : 0u, SCENE_REFRACTION_WORK)
-            scatter(scene, &path.ray, &path.inside, &hit, &surface, &draw);
-            turn = uint_hold(turn + 1u);
-            ends = surface.mirrored < 0.0f;
-        } while (ENGINE_BATCH > 1 && turn < stop && !lanes_any(ends));
-        const lanes_mask full = lanes_hold(turn >= path.last_turn);
-        const lanes_mask ended = lanes_meet(lanes_hold(full | ends));
-        COUNTED_LANES(alive & ended, ENGINE_PATH_WORK)
-
-        if (lanes_any(ended)) {
-            Vec radiance = gathered_radiance(&path, &surfaces, face);
-            if (PTB_LANES == 1 || lanes_any(full | (ended & !spare.ready))) {
-                const lanes_mask lacking = MASK_OF_MANY(alive & ended & !spare.ready);
-                if (PTB_LANES > 1) add_samples(&unit, spare.radiance, !spare.ready);
-                add_samples(&unit, radiance, lacking);
-                radiance = vec_select(radiance, vec_of((float4)(0.0f)), lacking);
-                spare.radiance = vec_of((float4)(0.0f));
-                unit.counts += lanes_select_u((lanes_u)(0u), (lanes_u)(ENGINE_FULL_LENGTH), full);
-                const lanes_mask finished = lacking & (unit.sample == unit.end);
-                if (lanes_any(finished)) {
-                    write_units(&unit, finished, turn, tallies);
-                    COUNTED_LANES(alive & finished, ENGINE_UNIT_WORK)
-                    COUNTED_LANES(alive & finished, ENGINE_TAKE_WORK)
-                    if (PTB_LANES == 1) turn = 0u; /* so its unit's first turn needs no register */
-                    alive &= !finished | take_units(&unit, finished, turn, queue, run_starts, &launch);
-                }
-                refill(&spare, &unit, &launch);
-            }
-            spare.radiance = vec_select(spare.radiance, radiance, ended);
-            start_spares(&path, &spare, ended, turn, start, &launch);
-        }
-    }
 }
 
-/* Where the scene is read from a copy: one a work-group, or one a work-item. */
-#if SCENE_SPHERES == SCENE_IN_LOCAL || SCENE_SURFACES == SCENE_IN_LOCAL
-#define ENGINE_COPY_FIRST (uint)get_local_id(0)
-#define ENGINE_COPY_STEP (uint)get_local_size(0)
+/* What a path that ended at this face is worth. */
+static inline Vec gathered_radiance(const World* world, const Path* path, lanes_u face) {
+#ifdef PATH_GATHERS
+    (void)world, (void)face;
+    return path->radiance;
 #else
-#define ENGINE_COPY_FIRST 0u
-#define ENGINE_COPY_STEP 1u
+    return vec_mul(path->throughput, radiance_of(&world->surfaces, face));
 #endif
-
-__kernel void pt_render(__global Tally* tallies, __global uint* queues, SCENE_SPHERE_BUFFER const SceneSphere* spheres,
-                        SCENE_SURFACE_BUFFER const SceneSurface* surfaces, __global const uint* camera_sides,
-                        __global const uint* run_starts, const SceneFewSpheres few,
-                        const EngineLaunch launch COUNTED_ROWS) {
-    COUNTED_BEGIN
-    (void)spheres, (void)few;
-#if SCENE_SPHERES == SCENE_IN_ARGUMENT
-    SCENE_SPHERE_SPACE const SceneSphere* all = few.sphere;
-#elif SCENE_SPHERES == SCENE_IN_LOCAL || SCENE_SPHERES == SCENE_IN_PRIVATE
-    SCENE_SPHERE_SPACE SceneSphere all[SCENE_COUNT];
-    for (uint i = ENGINE_COPY_FIRST; i < SCENE_COUNT; i += ENGINE_COPY_STEP) all[i] = spheres[i];
-#else
-    SCENE_SPHERE_SPACE const SceneSphere* all = spheres;
-#endif
-#if SCENE_SURFACES == SCENE_IN_LOCAL || SCENE_SURFACES == SCENE_IN_PRIVATE
-    SCENE_SURFACE_SPACE SceneSurface rows[SCENE_FACES + 2];
-    for (uint i = ENGINE_COPY_FIRST; i < SCENE_FACES + 2; i += ENGINE_COPY_STEP) rows[i] = surfaces[i];
-#else
-    SCENE_SURFACE_SPACE const SceneSurface* rows = surfaces;
-#endif
-#if SCENE_SPHERES == SCENE_IN_LOCAL || SCENE_SURFACES == SCENE_IN_LOCAL
-    barrier(CLK_LOCAL_MEM_FENCE);
-#endif
-    trace_units(tallies, queues + launch.slice, all, rows, camera_sides, run_starts, launch COUNTED_ARGUMENT);
-    COUNTED_END
 }
 
-/* A pixel's sums so far, and the tallies of one launch in the order of the units. */
-static inline Tally add_tallies(Tally sum, __global const Tally* tallies, uint pixel,
-                                  const EngineLaunch* launch COUNTED_PARAMETER) {
-    for (uint unit = pixel; unit < launch->units; unit += launch->pixels) {
-        const Tally tally = tallies[unit];
-        sum.radiance += tally.radiance;
-        sum.squares += tally.squares;
-        sum.samples += tally.samples;
-        sum.segments += tally.segments;
-        sum.full_length_paths += tally.full_length_paths;
-        COUNTED(1u, ENGINE_ADD_WORK)
-    }
-    return sum;
+/* One segment of every path: to the nearest face, which scatters it. Returns the lanes whose path ends there. */
+static inline lanes_mask trace_segment(const World* world, Path* path, lanes_mask alive, uint turn,
+                                       lanes_u* face COUNTED_PARAMETER) {
+    (void)alive, (void)turn;
+    const Scene scene = world->scene;
+    const Hit hit = nearest_hit(scene, &path->ray, &path->inside);
+    const Vec draw = draw_bounce(&path->random);
+    *face = hit_face(&hit);
+    const Surface surface = surface_of(&world->surfaces, *face);
+    gather_radiance(path, &world->surfaces, *face);
+    path->throughput = vec_mul(path->throughput, surface.weight);
+    COUNTED_SEGMENTS(counted_lanes(alive))
+    COUNTED(1u, SCENE_STEP_WORK(scene.count))
+    COUNTED_LANES(alive, SCENE_SEGMENT_WORK(scene))
+    COUNTED_LANES(alive, ENGINE_GATHER_WORK)
+    COUNTED(two_sided_spheres(scene) > 0u ? counted_lanes(alive) : 0u, SCENE_REFRACTION_WORK)
+    scatter(scene, &path->ray, &path->inside, &hit, &surface, &draw);
+    return surface.mirrored < 0.0f;
 }
 
-/* Adds the tallies of one launch to the film, a pixel a work-item. */
-__kernel void pt_add(__global Tally* film, __global const Tally* tallies, const EngineLaunch launch COUNTED_ROWS) {
-    const uint pixel = (uint)get_global_id(0);
-    if (pixel >= launch.pixels) return;
-    COUNTED_BEGIN
-    film[launch.first_pixel + pixel] =
-        add_tallies(film[launch.first_pixel + pixel], tallies, pixel, &launch COUNTED_ARGUMENT);
-    COUNTED(1u, ENGINE_PIXEL_WORK)
-    COUNTED_END
-}
-
-#ifdef __IMAGE_SUPPORT__
-
-/* The same for a film in an image, of which the launch may have traced a part: the sums go to another image. */
-__kernel void pt_add_to_image(__read_only image2d_t film, __write_only image2d_t sums, __global const Tally* tallies,
-                              const EngineLaunch launch COUNTED_ROWS) {
-    const sampler_t nearest = CLK_NORMALIZED_COORDS_FALSE | CLK_ADDRESS_NONE | CLK_FILTER_NEAREST;
-    const int width = get_image_width(film), rows = get_image_height(film) / ENGINE_FILM_LAYERS;
-    const int pixel = (int)get_global_id(0);
-    if (pixel >= width * rows) return;
-    COUNTED_BEGIN
-    const int2 at = (int2)(pixel % width, pixel / width), below = (int2)(0, rows);
-    const uint4 counts = read_imageui(film, nearest, at + 2 * below);
-    Tally sum;
-    sum.radiance = as_float4(read_imageui(film, nearest, at));
-    sum.squares = as_float4(read_imageui(film, nearest, at + below));
-    sum.samples = counts.x;
-    sum.segments = counts.y;
-    sum.full_length_paths = counts.z;
-    const uint number = (uint)pixel - launch.first_pixel; /* huge for a pixel before the launch's */
-    if (number < launch.pixels) sum = add_tallies(sum, tallies, number, &launch COUNTED_ARGUMENT);
-    write_imageui(sums, at, as_uint4(sum.radiance));
-    write_imageui(sums, at + below, as_uint4(sum.squares));
-    write_imageui(sums, at + 2 * below, (uint4)(sum.samples, sum.segments, sum.full_length_paths, 0u));
-    COUNTED(1u, ENGINE_PIXEL_WORK)
-    COUNTED_END
-}
-
-#endif
+#define INTEGRATOR pt
+#include "engine/kernels.h"

@@ -4,7 +4,7 @@
 
 #include "lib/roots.h"
 #include "lib/vec.h"
-#include "shared/engine.h"
+#include "shared/scene.h"
 
 /* 32-bit words that hold one side bit per two-sided sphere. */
 #ifndef SCENE_SIDE_WORDS

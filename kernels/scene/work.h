@@ -1,5 +1,5 @@
-/* The arithmetic of each step of `pt`, for the build that counts: additions and multiplications, roots, divisions of
-   one lane. Held against the instructions that Oclgrind sees by tests/render/counted.py. */
+/* The arithmetic of rays and bounces, for the build that counts: additions and multiplications, roots, divisions of one
+   lane. Held against the instructions that Oclgrind sees by tests/render/counted.py. */
 #ifndef PTB_SCENE_WORK_H
 #define PTB_SCENE_WORK_H
 
@@ -44,25 +44,8 @@
 #define SCENE_SAVED_FLOPS (4u * SCENE_ZEROS)
 #endif
 
-#ifdef SCENE_GLOWS
-#define SCENE_GATHER_FLOPS 6u /* a segment */
-#define SCENE_END_FLOPS 0u    /* a path */
-#else
-#define SCENE_GATHER_FLOPS 0u
-#define SCENE_END_FLOPS 3u
-#endif
-
 /* scene/scatter.h but for refraction: the move, from the centre, along, the normal's share and the sum. */
 #define SCENE_SCATTER_FLOPS (6u + 3u + 5u + 2u + 6u)
-
-/* Where in its pixel a sample lies, and in the image. */
-#if defined(ENGINE_FILTER) && ENGINE_FILTER == ENGINE_CENTRE
-#define ENGINE_PLACE_FLOPS 2u
-#elif defined(ENGINE_FILTER) && ENGINE_FILTER == ENGINE_STRATIFIED
-#define ENGINE_PLACE_FLOPS 11u
-#else
-#define ENGINE_PLACE_FLOPS 2u
-#endif
 
 /* Bytes that rays read of global memory. Copies of the scene, made once a work-group or work-item, are not counted. */
 #define SCENE_SPHERE_BYTES (SCENE_SPHERES == SCENE_IN_GLOBAL ? (uint)sizeof(SceneSphere) : 0u)
@@ -73,7 +56,7 @@
 
 /* A segment, throughput too, and the numbers of its surface. */
 #define SCENE_SEGMENT_WORK(scene)                                                                                     \
-    (SCENE_LINE_FLOPS + (scene).count * SCENE_TEST_FLOPS + SCENE_ESTIMATES(scene) * 6u - SCENE_SAVED_FLOPS + SCENE_GATHER_FLOPS + \
+    (SCENE_LINE_FLOPS + (scene).count * SCENE_TEST_FLOPS + SCENE_ESTIMATES(scene) * 6u - SCENE_SAVED_FLOPS + \
      3u + SCENE_SCATTER_FLOPS + SCENE_SPHERE_FLOPS + SCENE_NORMALIZE_FLOPS),                                                \
         ((scene).count - SCENE_ESTIMATES(scene) + SCENE_SPHERE_ROOTS + SCENE_RSQRT_ROOTS), SCENE_RSQRT_DIVISIONS,              \
         SCENE_SURFACE_BYTES(48u)
@@ -85,19 +68,5 @@
 #else
 #define SCENE_REFRACTION_WORK 13u, 1u, 0u, 0u
 #endif
-/* A path: its radiance and square added, and the next one's camera ray. */
-#define ENGINE_PATH_WORK \
-    (SCENE_END_FLOPS + 9u + ENGINE_PLACE_FLOPS + 12u + SCENE_NORMALIZE_FLOPS), SCENE_RSQRT_ROOTS, SCENE_RSQRT_DIVISIONS, \
-        SCENE_SURFACE_BYTES(12u)
-/* A look for a unit, of use or not: its place, and its run. */
-#define ENGINE_TAKE_WORK 4u, 0u, 0u, 2u * (uint)sizeof(uint)
-/* A unit: its tally. */
-#define ENGINE_UNIT_WORK 0u, 0u, 0u, (uint)sizeof(Tally)
-/* A tally added to a pixel, of colours of so many numbers (1 counts vectors' instructions), and a pixel of the film. */
-#ifndef ENGINE_WIDTH
-#define ENGINE_WIDTH 3u
-#endif
-#define ENGINE_ADD_WORK (2u * ENGINE_WIDTH), 0u, 0u, (uint)sizeof(Tally)
-#define ENGINE_PIXEL_WORK 0u, 0u, 0u, 2u * (uint)sizeof(Tally)
 
 #endif

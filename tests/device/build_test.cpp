@@ -21,9 +21,9 @@ TEST(Build, every_integrator_compiles_for_every_lane_width_without_warnings) {
                 RenderJob job;
                 job.lanes = lanes;
                 const ocl::Program program =
-                    ocl::build(device, kernel_source(row.file), row.options(device, scene, job));
+                    ocl::build(device, kernel_source(row.file()), row.options(device, scene, job));
                 EXPECT_THAT(program.log, testing::Not(testing::HasSubstr("warning:")));
-                EXPECT_EQ(program.kernel_hash, kernel_source(row.file).hash);
+                EXPECT_EQ(program.kernel_hash, kernel_source(row.file()).hash);
                 EXPECT_FALSE(program.overridden);
             }
         }
@@ -37,7 +37,7 @@ TEST(Build, kernel_facts_are_those_of_a_usable_kernel) {
             RenderJob job;
             job.size = {8, 8};
             const ocl::Program program =
-                ocl::build(device, kernel_source(row.file), row.options(device, scene, job));
+                ocl::build(device, kernel_source(row.file()), row.options(device, scene, job));
             const auto render = row.make(device, program, scene, job);
             EXPECT_GE(render->facts().max_work_group, 1u) << row.id;
             EXPECT_LE(render->facts().max_work_group, device.info.max_work_group) << row.id;
@@ -54,7 +54,7 @@ TEST(Build, memory_foretold_covers_what_is_asked_for) {
             RenderJob job;
             job.size = {64, 32};
             const ocl::Program program =
-                ocl::build(device, kernel_source(row.file), row.options(device, scene, job));
+                ocl::build(device, kernel_source(row.file()), row.options(device, scene, job));
             const auto render = row.make(device, program, scene, job);
             EXPECT_EQ(row.memory(device, scene, job).total, render->device_bytes()) << row.id;
         }

@@ -43,7 +43,7 @@ TEST(Errors, failed_launch_names_call_work_device_error_and_code) {
         job.size = {8, 8};
         job.work_group_x = static_cast<int>(device.info.max_work_group) * 2;
         const ocl::Program program =
-            ocl::build(device, kernel_source(thesis.file), thesis.options(device, scene, job));
+            ocl::build(device, kernel_source(thesis.file()), thesis.options(device, scene, job));
         const auto render = thesis.make(device, program, scene, job);
         try {
             render->advance(64);

@@ -16,7 +16,7 @@ inline std::unique_ptr<Render> make_render(const ocl::Device& device, const std:
                                            const std::string& more_options = "") {
     const Integrator& row = integrator(kernel);
     const ocl::Program program =
-        ocl::build(device, kernel_source(row.file), row.options(device, scene, job) + more_options);
+        ocl::build(device, kernel_source(row.file()), row.options(device, scene, job) + more_options);
     return row.make(device, program, scene, job);
 }
 

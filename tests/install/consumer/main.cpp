@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
     job.size = {8, 8};
     job.spp = 2;
     const ptb::ocl::Program program =
-        ptb::ocl::build(device, ptb::kernel_source(pt.file), pt.options(device, scene, job));
+        ptb::ocl::build(device, ptb::kernel_source(pt.file()), pt.options(device, scene, job));
     const auto render = pt.make(device, program, scene, job);
     while (render->samples_left() > 0) render->advance(render->samples_left());
     std::printf("%s 8x8: %llu samples\n", scene.name.c_str(),

@@ -1,0 +1,84 @@
+/* How lanes are kept busy. Every work-item keeps PTB_LANES paths in registers; a lane whose path ended starts the next
+   sample at once (path regeneration), and a lane whose unit of samples is done takes the next unit from one queue, so
+   lanes stay busy whatever the work-group. A unit's sums depend on its number alone and are added to the film by a second
+   kernel: no bit of the image depends on the launch. */
+#ifndef PTB_ENGINE_TRACE_H
+#define PTB_ENGINE_TRACE_H
+
+#include "engine/unit.h"
+#include "engine/work.h"
+
+/* PoCL stores every variable of a kernel's loop to memory at each turn, but not those of a function that it may not
+   inline: 10.3 -> 11.7 Msamples/s (two AVX-512 cores). One that reads local memory it compiles to a crash (PoCL 3.1). */
+#if PTB_LANES > 1 && SCENE_SPHERES != SCENE_IN_LOCAL && SCENE_SURFACES != SCENE_IN_LOCAL
+#define ENGINE_OUTLINE static __attribute__((noinline))
+#else
+#define ENGINE_OUTLINE static inline
+#endif
+
+/* Segments that a lone lane traces before it looks after its paths' ends. On GPUs the lanes of a warp end one by one, and
+   all wait while one starts anew: better that the ended ones wait for each other. 1: 3.02, 6: 3.47 Gsamples/s (H200). */
+#ifndef ENGINE_BATCH
+#define ENGINE_BATCH 1
+#endif
+
+ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queue, SCENE_SPHERE_SPACE const SceneSphere* spheres,
+                                SCENE_SURFACE_SPACE const SceneSurface* surface_rows, __global const uint* camera_sides,
+                                __global const uint* run_starts, __global const SceneLamp* lamps,
+                                EngineLaunch launch COUNTED_PARAMETER) {
+#ifdef SCENE_FEW
+    const uint opaque = SCENE_OPAQUE, count = SCENE_FEW;
+#else
+    const uint opaque = launch.opaque_spheres, count = opaque + launch.two_sided_spheres;
+#endif
+    Scene scene = {spheres, opaque, count, 0u};
+    const Start start = {(SCENE_SURFACE_SPACE const SceneStart*)&surface_rows[background(scene) + 1u], camera_sides};
+    scene.distance_mask = start.row->distance_mask;
+    const World world = {scene, surfaces_of(surface_rows, background(scene)), lamps, launch.lamps};
+    Unit unit = no_unit();
+    Path path = no_path();
+    Spare spare = no_spare();
+    lanes_mask alive = take_units(&unit, &path, lanes_all(), 0u, queue, run_starts, &launch);
+    COUNTED_LANES(lanes_all(), ENGINE_TAKE_WORK)
+    refill(&spare, &unit, &launch);
+    start_spares(&path, &spare, alive, 0u, start, &launch);
+
+    uint turn = 0u;
+    while (lanes_any(alive)) {
+        lanes_u face;
+        lanes_mask ends;
+        const uint stop = uint_hold(min(turn + ENGINE_BATCH, LANE(path.last_turn, 0)));
+        do {
+            ends = trace_segment(&world, &path, alive, turn, &face COUNTED_ARGUMENT);
+            turn = uint_hold(turn + 1u);
+        } while (ENGINE_BATCH > 1 && turn < stop && !lanes_any(ends));
+        const lanes_mask full = lanes_hold(turn >= path.last_turn);
+        const lanes_mask ended = lanes_meet(lanes_hold(full | ends));
+        COUNTED_LANES(alive & ended, ENGINE_PATH_WORK)
+
+        if (lanes_any(ended)) {
+            Vec radiance = gathered_radiance(&world, &path, face);
+            if (PTB_LANES == 1 || lanes_any(full | (ended & !spare.ready))) {
+                const lanes_mask lacking = MASK_OF_MANY(alive & ended & !spare.ready);
+                if (PTB_LANES > 1) add_samples(&unit, spare.radiance, !spare.ready);
+                add_samples(&unit, radiance, lacking);
+                radiance = vec_select(radiance, vec_of((float4)(0.0f)), lacking);
+                spare.radiance = vec_of((float4)(0.0f));
+                unit.counts += lanes_select_u((lanes_u)(0u), (lanes_u)(ENGINE_FULL_LENGTH), full);
+                const lanes_mask finished = lacking & (unit.sample == unit.end);
+                if (lanes_any(finished)) {
+                    write_units(&unit, &path, finished, turn, tallies);
+                    COUNTED_LANES(alive & finished, ENGINE_UNIT_WORK)
+                    COUNTED_LANES(alive & finished, ENGINE_TAKE_WORK)
+                    if (PTB_LANES == 1) turn = 0u; /* so its unit's first turn needs no register */
+                    alive &= !finished | take_units(&unit, &path, finished, turn, queue, run_starts, &launch);
+                }
+                refill(&spare, &unit, &launch);
+            }
+            spare.radiance = vec_select(spare.radiance, radiance, ended);
+            start_spares(&path, &spare, ended, turn, start, &launch);
+        }
+    }
+}
+
+#endif
