@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <numeric>
 
 #include "core/integrator/camera.h"
 
@@ -77,11 +78,17 @@ bool is_two_sided(const Scene& scene, const Sphere& sphere) {
 DeviceScene make_device_scene(const Scene& scene) {
     DeviceScene result;
     std::vector<SceneSurface> opaque;
-    std::vector<Sphere> spheres = scene.spheres;
+    std::vector<std::size_t> order(scene.spheres.size());
+    std::iota(order.begin(), order.end(), 0u);
     const auto first_two_sided = std::stable_partition(
-        spheres.begin(), spheres.end(), [&](const Sphere& sphere) { return !is_two_sided(scene, sphere); });
-    result.opaque = static_cast<std::uint32_t>(first_two_sided - spheres.begin());
+        order.begin(), order.end(), [&](std::size_t i) { return !is_two_sided(scene, scene.spheres[i]); });
+    std::vector<Sphere> spheres;
+    for (const std::size_t i : order) spheres.push_back(scene.spheres[i]);
+    result.opaque = static_cast<std::uint32_t>(first_two_sided - order.begin());
     result.two_sided = static_cast<std::uint32_t>(spheres.size()) - result.opaque;
+    result.outer_faces.resize(order.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i)
+        result.outer_faces[order[i]] = i < result.opaque ? 2 * result.two_sided + i : 2 * (i - result.opaque);
     const bool one_is_two_sided = result.two_sided == 1 && result.is_few();
     result.camera_sides.resize(std::max(1u, (result.two_sided + 31) / 32));
     for (std::uint32_t i = 0; i < spheres.size(); ++i) {

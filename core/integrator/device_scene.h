@@ -20,7 +20,9 @@ struct DeviceScene {
     /// Bit j from the top: the camera is inside two-sided sphere j; at least one word, see scene/scene.h.
     std::vector<std::uint32_t> camera_sides;
     std::uint32_t opaque = 0, two_sided = 0;
-    std::vector<SceneLamp> lamps;  ///< what can be sampled of the emitters
+    std::vector<std::uint32_t> outer_faces;  ///< of the scene's spheres, in its order: rows of `surfaces`
+    std::vector<SceneLamp> lamps;            ///< what can be sampled of the emitters; see add_lamps
+    SceneLamp lone_lamp{};                   ///< the first one
 
     std::uint64_t faces() const { return opaque + 2 * two_sided; }
     bool is_few() const { return faces() <= SCENE_FEW_MOST; }

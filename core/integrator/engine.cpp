@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/integrator/camera.h"
-#include "core/integrator/device_scene.h"
 #include "core/integrator/engine_options.h"
 #include "core/integrator/film.h"
 #include "core/integrator/unit_cut.h"
@@ -84,6 +83,7 @@ EngineLaunch launch_of(const Scene& scene, const DeviceScene& device_scene, cons
     launch.opaque_spheres = device_scene.opaque;
     launch.two_sided_spheres = device_scene.two_sided;
     launch.lamps = static_cast<std::uint32_t>(device_scene.lamps.size());
+    launch.lamp = device_scene.lone_lamp;
     launch.radiance_scale = std::ldexp(1.0f, scale.radiance);
     launch.squares_scale = std::ldexp(1.0f, scale.squares);
     stratify(launch, static_cast<std::uint32_t>(job.spp));
@@ -94,7 +94,7 @@ class EngineRender : public Render {
   public:
     EngineRender(const Integrator& row, const ocl::Device& device, const ocl::Program& program,
                  const Scene& scene, const RenderJob& job)
-        : EngineRender(row, device, program, scene, make_device_scene(scene), job) {}
+        : EngineRender(row, device, program, scene, device_scene_for(row, scene), job) {}
 
     void restart() override {
         ocl::checked(row_.id + " restart", device_.info.name, [&] {
@@ -229,12 +229,12 @@ class EngineRender : public Render {
     EngineLaunch launch_;
 };
 
-DeviceMemory memory(const Integrator&, const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+DeviceMemory memory(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     const Shape shape = shape_of(device, scene, job);
     const std::uint64_t units = job.size.pixels() * shape.runs.count();
     const std::uint64_t film = film_bytes_of(job.size, job.variant.film_memory);
     const std::uint64_t tallies = std::min(shape.max_units, units) * sizeof(Tally);
-    return {film + tallies + make_device_scene(scene).bytes(),
+    return {film + tallies + device_scene_for(row, scene).bytes(),
             std::max(largest_film_object(job.size, job.variant.film_memory), tallies)};
 }
 

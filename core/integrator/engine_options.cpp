@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/integrator/film.h"
-#include "core/integrator/device_scene.h"
+#include "core/integrator/device_lamps.h"
 #include "core/integrator/variant_support.h"
 
 namespace ptb {
@@ -87,36 +87,47 @@ std::uint32_t strata_columns(std::uint32_t spp) {
     return columns;
 }
 
+DeviceScene device_scene_for(const Integrator& row, const Scene& scene) {
+    DeviceScene device = make_device_scene(scene);
+    if (row.samples_lamps) add_lamps(device, scene);
+    return device;
+}
+
 std::string engine_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     for (const std::string& reason :
-         {memory_refusal(row, device, make_device_scene(scene), job),
+         {memory_refusal(row, device, device_scene_for(row, scene), job),
           film_refusal(device, job.size, job.variant.film_memory), rows_refusal(row, job)})
         if (!reason.empty()) return reason;
     return "";
 }
 
-std::string engine_options(const Integrator&, const ocl::Device& device, const Scene& scene, const RenderJob& job) {
-    const DeviceScene pt_scene = make_device_scene(scene);
-    const Places places = places_of(device, pt_scene, job);
+std::string engine_options(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+    const DeviceScene device_scene = device_scene_for(row, scene);
+    const Places places = places_of(device, device_scene, job);
     const bool lone_on_gpu = is_throughput_device(device) && job.lanes == 1;
     std::string text = common_options(device, job);
-    text += fmt::format(" -DPTB_LANES={} -DSCENE_SIDE_WORDS={}", job.lanes, pt_scene.camera_sides.size());
+    text += fmt::format(" -DPTB_LANES={} -DSCENE_SIDE_WORDS={}", job.lanes, device_scene.camera_sides.size());
     if (job.lanes > 1) text += fmt::format(" -DPTB_WIDTH={}", device.info.native_float_width);
     text += fmt::format(" -DSCENE_SPHERES={} -DSCENE_SURFACES={}", places.spheres, places.surfaces);
-    if (pt_scene.is_few())
+    if (device_scene.is_few())
         text +=
             fmt::format(" -DSCENE_FEW={} -DSCENE_OPAQUE={} -DSCENE_ZERO_X={:#x} -DSCENE_ZERO_Y={:#x} -DSCENE_ZERO_Z={:#x}",
-                        pt_scene.spheres.size(), pt_scene.opaque, pt_scene.zeros[0], pt_scene.zeros[1],
-                        pt_scene.zeros[2]);
+                        device_scene.spheres.size(), device_scene.opaque, device_scene.zeros[0], device_scene.zeros[1],
+                        device_scene.zeros[2]);
     else if (places.spheres == SCENE_IN_LOCAL)
-        text += fmt::format(" -DSCENE_COUNT={} -DSCENE_FACES={}", pt_scene.spheres.size(), pt_scene.faces());
+        text += fmt::format(" -DSCENE_COUNT={} -DSCENE_FACES={}", device_scene.spheres.size(), device_scene.faces());
     if (ocl::bounds_loops(device.info)) text += " -DENGINE_BOUNDED";
     if (glows(scene)) text += " -DSCENE_GLOWS";
     if (lone_on_gpu) text += " -DENGINE_BATCH=6";
-    if (lone_on_gpu && pt_scene.is_few()) text += " -DSCENE_CARRIED";
+    if (lone_on_gpu && device_scene.is_few()) text += " -DSCENE_CARRIED";
     if (job.variant.pixel_filter != PixelFilter::jitter)
         text += fmt::format(" -DENGINE_FILTER={}",
                             job.variant.pixel_filter == PixelFilter::centre ? ENGINE_CENTRE : ENGINE_STRATIFIED);
+    if (row.samples_lamps && device_scene.lamps.size() > 1) text += " -DSCENE_MANY_LAMPS";
+    if (row.samples_lamps && device_scene.lamps.size() <= 1)
+        text += fmt::format(" -DSCENE_LONE_LAMP={}", std::isinf(device_scene.lone_lamp.near_squared) ? SCENE_FREE_LAMP
+                                                                                                     : SCENE_SUNK_LAMP);
+    if (job.variant.roulette == Roulette::albedo) text += " -DENGINE_ROULETTE";
     if (job.variant.rng == Rng::park_miller) text += " -DPTB_PARK_MILLER";
     return text;
 }

@@ -3,9 +3,13 @@
 #include <cstdint>
 #include <string>
 
+#include "core/integrator/device_scene.h"
 #include "core/integrator/registry.h"
 
 namespace ptb {
+
+/// The scene with what of it the integrator asks for.
+DeviceScene device_scene_for(const Integrator& row, const Scene& scene);
 
 /// Build options of an integrator for a job.
 std::string engine_options(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job);

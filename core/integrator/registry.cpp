@@ -53,9 +53,22 @@ const std::vector<Integrator>& integrators() {
          .lanes = {1},
          .two_dimensional = true,
          .counts_full_length = false},
+        {.id = "whitted",
+         .summary = "classical ray tracing: mirrors and glass, hard shadows from one point of each lamp",
+         .machinery = &engine_machinery,
+         .samples_lamps = true},
+        {.id = "direct",
+         .summary = "ray tracing with lamps as areas: soft shadows, no light from matte to matte",
+         .machinery = &engine_machinery,
+         .samples_lamps = true},
         {.id = "pt",
-         .summary = "physically right path tracer: no next-event estimation, no roulette",
+         .summary = "physically right path tracer: no next-event estimation",
          .machinery = &engine_machinery},
+        {.id = "pt_nee",
+         .summary = "pt with next-event estimation: lamps are asked for their light at matte surfaces",
+         .machinery = &engine_machinery,
+         .samples_lamps = true,
+         .truth = "pt"},
     };
     return all;
 }

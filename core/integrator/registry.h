@@ -31,7 +31,10 @@ struct Integrator {
     const Machinery* machinery = nullptr;
     std::vector<int> lanes = {1, 4, 8, 16, 32};  ///< lane widths it can be built for
     bool two_dimensional = false;    ///< its work units are pixels, so a 2-D work-group means something
+    bool samples_lamps = false;      ///< asks lamps for their light
     bool counts_full_length = true;  ///< its film counts samples and full-length paths
+
+    std::string truth = {};  ///< the kernel whose references and host tracer judge its films, if not itself
 
     std::string file() const { return id + "/" + id + ".cl"; }  ///< of kernels/
     std::string kernel(const std::string& verb) const { return id + "_" + verb; }

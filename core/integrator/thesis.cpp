@@ -199,7 +199,8 @@ std::string refusal(const Integrator& row, const ocl::Device&, const Scene&, con
     for (const auto& [axis, has] : {std::pair("scene_memory", std::vector<std::string>{"auto", "global"}),
                                     std::pair("film_memory", std::vector<std::string>{"buffer"}),
                                     std::pair("pixel_filter", std::vector<std::string>{"jitter"}),
-                                    std::pair("rng", std::vector<std::string>{"auto", "park_miller"})})
+                                    std::pair("rng", std::vector<std::string>{"auto", "park_miller"}),
+                                    std::pair("roulette", std::vector<std::string>{"off"})})
         if (const std::string reason = choice_refusal(row.id, axis, job.variant, has); !reason.empty())
             return reason;
     return "";

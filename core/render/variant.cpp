@@ -37,6 +37,8 @@ const std::vector<VariantAxis>& variant_axes() {
         axis<&Variant::pixel_filter>("pixel_filter", "where in its pixel a sample lies",
                                      {"jitter", "centre", "stratified"}),
         axis<&Variant::rng>("rng", "random numbers", {"auto", "hash", "park_miller"}),
+        axis<&Variant::roulette>("roulette", "whether paths end at random, with what a surface does not reflect",
+                                 {"off", "albedo"}),
         axis<&Variant::build>("build", "how freely the compiler may treat arithmetic",
                               {"default", "strict", "relaxed"}),
     };

@@ -13,6 +13,7 @@ enum class QueueOrder { in_order, out_of_order };
 enum class Dispatch { ndrange, tasks };
 enum class PixelFilter { jitter, centre, stratified };
 enum class Rng { automatic, hash, park_miller };
+enum class Roulette { off, albedo };
 enum class BuildMode { standard, strict, relaxed };
 
 /// How an integrator's work is expressed in OpenCL, beyond lanes and work-groups: the choices that the 2016
@@ -25,6 +26,7 @@ struct Variant {
     Dispatch dispatch = Dispatch::ndrange;           ///< tasks: many launches of one work-item
     PixelFilter pixel_filter = PixelFilter::jitter;  ///< where in its pixel a sample lies
     Rng rng = Rng::automatic;
+    Roulette roulette = Roulette::off;  ///< albedo: paths go on with what a surface reflects as chance
     BuildMode build = BuildMode::standard;
     auto operator<=>(const Variant&) const = default;
 };

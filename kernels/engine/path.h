@@ -2,13 +2,19 @@
 #ifndef PTB_ENGINE_PATH_H
 #define PTB_ENGINE_PATH_H
 
-#include "lib/random.h"
-#include "scene/surface.h"
+#include "scene/lamps.h"
 
 /* PATH_GATHERS: a path sums the radiance of what it meets. Where every emitter ends the path, and nothing else gives it
    light, its radiance is only asked for at the end. */
 #if defined(SCENE_GLOWS) && !defined(PATH_GATHERS)
 #define PATH_GATHERS
+#endif
+
+/* Whether an emitter may scatter paths on, so that any segment may meet one. */
+#ifdef SCENE_GLOWS
+#define SHINE_AND_GO_ON 1
+#else
+#define SHINE_AND_GO_ON 0
 #endif
 
 typedef struct Path {
@@ -54,8 +60,41 @@ static inline lanes_u shadow_rays_of(const Path* path) {
 typedef struct World {
     Scene scene;
     Surfaces surfaces;
-    __global const SceneLamp* lamps;
-    uint lamp_count;
+    Lamps lamps;
 } World;
+
+/* Russian roulette, with ENGINE_ROULETTE: a path goes on from a surface with the mean of what the surface reflects as its
+   chance, and weighs more then. Else with certainty. */
+static inline lanes_f chance_to_go_on(const Surface* surface) {
+#ifdef ENGINE_ROULETTE
+    return lanes_min((surface->weight.x + surface->weight.y + surface->weight.z) * (1.0f / 3.0f), (lanes_f)(1.0f));
+#else
+    (void)surface;
+    return (lanes_f)(1.0f);
+#endif
+}
+
+/* A number of those that go on. */
+static inline lanes_f over_chance(lanes_f x, lanes_f chance) {
+#ifdef ENGINE_ROULETTE
+    return x / chance;
+#else
+    (void)chance;
+    return x;
+#endif
+}
+
+/* The lanes whose path does not go on. */
+static inline lanes_mask dies(Path* path, lanes_f chance) {
+#ifdef ENGINE_ROULETTE
+    lanes_u u, v;
+    random_next_two(&path->random, &u, &v);
+    path->throughput = vec_scale(path->throughput, over_chance((lanes_f)(1.0f), chance));
+    return random_1_2(u) - 1.0f >= chance;
+#else
+    (void)path, (void)chance;
+    return lanes_none();
+#endif
+}
 
 #endif

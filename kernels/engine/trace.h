@@ -34,7 +34,7 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queue, S
     Scene scene = {spheres, opaque, count, 0u};
     const Start start = {(SCENE_SURFACE_SPACE const SceneStart*)&surface_rows[background(scene) + 1u], camera_sides};
     scene.distance_mask = start.row->distance_mask;
-    const World world = {scene, surfaces_of(surface_rows, background(scene)), lamps, launch.lamps};
+    const World world = {scene, surfaces_of(surface_rows, background(scene)), {&launch.lamp, lamps, launch.lamps}};
     Unit unit = no_unit();
     Path path = no_path();
     Spare spare = no_spare();

@@ -23,6 +23,7 @@
     F(EngineLaunch, units_per_lane) F(EngineLaunch, first_unit) F(EngineLaunch, slice)                 \
     F(EngineLaunch, strata_columns) F(EngineLaunch, stratum_width) F(EngineLaunch, stratum_height)     \
     F(EngineLaunch, radiance_scale) F(EngineLaunch, squares_scale) F(EngineLaunch, lamps)              \
+    F(EngineLaunch, lamp)                                                                              \
     S(Tally) F(Tally, radiance) F(Tally, squares) F(Tally, samples) F(Tally, segments)                 \
     F(Tally, full_length_paths) F(Tally, shadow_rays)                                                  \
     S(FilmPixel) F(FilmPixel, radiance) F(FilmPixel, squares) F(FilmPixel, samples)                    \

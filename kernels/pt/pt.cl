@@ -33,13 +33,11 @@ static inline lanes_mask trace_segment(const World* world, Path* path, lanes_mas
     const Surface surface = surface_of(&world->surfaces, *face);
     gather_radiance(path, &world->surfaces, *face);
     path->throughput = vec_mul(path->throughput, surface.weight);
-    COUNTED_SEGMENTS(counted_lanes(alive))
-    COUNTED(1u, SCENE_STEP_WORK(scene.count))
-    COUNTED_LANES(alive, SCENE_SEGMENT_WORK(scene))
+    COUNTED_SEGMENT(scene, alive)
     COUNTED_LANES(alive, ENGINE_GATHER_WORK)
-    COUNTED(two_sided_spheres(scene) > 0u ? counted_lanes(alive) : 0u, SCENE_REFRACTION_WORK)
+    move_to_hit(&path->ray, &hit);
     scatter(scene, &path->ray, &path->inside, &hit, &surface, &draw);
-    return surface.mirrored < 0.0f;
+    return (surface.mirrored < 0.0f) | dies(path, chance_to_go_on(&surface));
 }
 
 #define INTEGRATOR pt

@@ -19,8 +19,15 @@ typedef struct Surface {
    with chains of selects); else every lane loads its row from memory. */
 #if defined(SCENE_FEW) && TABLE_PERMUTES
 
+/* Of many lamps a path asks which one it met. */
+#ifdef SCENE_MANY_LAMPS
+#define SURFACE_FIELDS 15
+#else
+#define SURFACE_FIELDS 14
+#endif
+
 typedef struct Surfaces {
-    Table field[14];
+    Table field[SURFACE_FIELDS];
 } Surfaces;
 
 static inline Surfaces surfaces_of(SCENE_SURFACE_SPACE const SceneSurface* rows, uint faces) {
@@ -41,6 +48,9 @@ static inline Surfaces surfaces_of(SCENE_SURFACE_SPACE const SceneSurface* rows,
         s.field[11].row[i] = row.traits.x;
         s.field[12].row[i] = row.traits.y;
         s.field[13].row[i] = row.traits.z;
+#ifdef SCENE_MANY_LAMPS
+        s.field[14].row[i] = row.radiance.w;
+#endif
     }
     return s;
 }
@@ -91,5 +101,12 @@ static inline Vec radiance_of(const Surfaces* all, lanes_u face) {
     return vec(SURFACE_FIELD(all, 8, radiance.x, index), SURFACE_FIELD(all, 9, radiance.y, index),
                SURFACE_FIELD(all, 10, radiance.z, index));
 }
+
+#ifdef SCENE_MANY_LAMPS
+/* Its lamp's number and 1, or 0. */
+static inline lanes_u lamp_of_face(const Surfaces* all, lanes_u face) {
+    return lanes_to_u(SURFACE_FIELD(all, 14, radiance.w, face));
+}
+#endif
 
 #endif

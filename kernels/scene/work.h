@@ -69,4 +69,31 @@
 #define SCENE_REFRACTION_WORK 13u, 1u, 0u, 0u
 #endif
 
+/* A shadow ray, scene/hit.h's sees. */
+#ifdef SCENE_CARRIED
+#define SCENE_SEES_FLOPS (6u + 2u + 2u)
+#else
+#define SCENE_SEES_FLOPS (6u + 7u + 2u + 2u)
+#endif
+#define SCENE_SHADOW_WORK(scene)                                                                                        \
+    (SCENE_LINE_FLOPS + (scene).count * SCENE_SEES_FLOPS + two_sided_spheres(scene) * 2u - SCENE_SAVED_FLOPS), 0u, 0u, 0u
+
+/* scene/lamps.h: a direction of a cone, */
+#define LAMP_CONE_FLOPS (4u + (SCENE_SPHERE_FLOPS - 3u) + 29u + SCENE_RSQRT_FLOPS)
+#define LAMP_CONE_ROOTS (SCENE_SPHERE_ROOTS + SCENE_RSQRT_ROOTS)
+/* what a point knows of a lamp, and what more it has to when it is near, */
+#define LAMP_SIGHT_WORK 8u, 0u, 0u, LAMP_BYTES
+#define LAMP_NEAR_WORK (9u + 2u * SCENE_RSQRT_FLOPS), (1u + 2u * SCENE_RSQRT_ROOTS), (2u * SCENE_RSQRT_DIVISIONS), 0u
+/* a point of a cap, a direction of the cone that a near point sees, and both densities. */
+#define LAMP_CAP_WORK (LAMP_CONE_FLOPS + 20u + SCENE_RSQRT_FLOPS), (LAMP_CONE_ROOTS + SCENE_RSQRT_ROOTS), (2u * SCENE_RSQRT_DIVISIONS), 0u
+#define LAMP_DIRECTION_WORK (LAMP_CONE_FLOPS + 19u), (LAMP_CONE_ROOTS + 1u), SCENE_RSQRT_DIVISIONS, 0u
+#define LAMP_DENSITY_WORK 2u, 0u, 0u, 0u
+#define LAMP_WAY_WORK 8u, 0u, 0u, 0u
+#define LAMP_CHOICE_WORK 3u, 0u, 0u, 12u
+#ifdef SCENE_LONE_LAMP
+#define LAMP_BYTES 0u
+#else
+#define LAMP_BYTES ((uint)sizeof(SceneLamp) - 32u)
+#endif
+
 #endif

@@ -36,8 +36,9 @@ typedef struct EngineLaunch {
     float radiance_scale; /* the film's unit of radiance is 1 / this, a power of two; */
     float squares_scale;  /* of squared radiance, 1 / this */
     ptb_uint lamps;
+    SceneLamp lamp; /* the first */
 } EngineLaunch;
-PTB_ASSERT_SIZE(EngineLaunch, 144);
+PTB_ASSERT_SIZE(EngineLaunch, 240);
 
 /* What a unit leaves: sums over its samples. */
 typedef struct Tally {

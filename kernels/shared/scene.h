@@ -63,6 +63,10 @@ typedef struct SceneLamp {
 } SceneLamp;
 PTB_ASSERT_SIZE(SceneLamp, 96);
 
+/* What SCENE_LONE_LAMP says of it. */
+#define SCENE_FREE_LAMP 1
+#define SCENE_SUNK_LAMP 2
+
 /* Where spheres and surfaces lie that rays read: SCENE_SPHERES and SCENE_SURFACES. */
 #define SCENE_IN_ARGUMENT 0
 #define SCENE_IN_CONSTANT 1

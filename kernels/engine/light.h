@@ -1,0 +1,78 @@
+/* What a path gathers of lamps: of one that it meets, and of one that it asks for on purpose. */
+#ifndef PTB_ENGINE_LIGHT_H
+#define PTB_ENGINE_LIGHT_H
+
+#define PATH_GATHERS
+#include "engine/path.h"
+#include "engine/work.h"
+
+/* What a path is worth that ended. */
+static inline Vec gathered_radiance(const World* world, const Path* path, lanes_u face) {
+    (void)world, (void)face;
+    return path->radiance;
+}
+
+/* Adds the radiance of what the path met. */
+static inline void gather_met(const World* world, Path* path, lanes_u face, lanes_f weight, lanes_mask counts COUNTED_PARAMETER) {
+    (void)counts;
+    COUNTED_LANES(counts, LIGHT_MET_WORK)
+    const Vec radiance = vec_scale(radiance_of(&world->surfaces, face), weight);
+    path->radiance = vec_mul_add(path->radiance, path->throughput, radiance);
+}
+
+/* The share of the radiance met, `distance` along the ray, that is not gather_lamp's: by the balance heuristic, see "Optimally
+   Combining Sampling Techniques for Monte Carlo Rendering", by Veach and Guibas. */
+static inline lanes_f share_of_met(const World* world, const Path* path, lanes_u face, lanes_f distance,
+                                   lanes_mask counts COUNTED_PARAMETER) {
+    (void)counts;
+#ifdef SCENE_LONE_LAMP
+    const lanes_u number = (lanes_u)(0u);
+    const lanes_mask is_lamp = face == world->lamps.first->face;
+#else
+    const lanes_u next = lamp_of_face(&world->surfaces, face);
+    const lanes_mask is_lamp = next != 0u;
+    const lanes_u number = next - lanes_select_u((lanes_u)(0u), (lanes_u)(1u), is_lamp);
+#endif
+    if (!lanes_any(is_lamp)) return (lanes_f)(1.0f);
+    const Density density = density_of_way(&world->lamps, number, &path->ray, distance, counts & is_lamp COUNTED_ARGUMENT);
+    COUNTED_LANES(counts & is_lamp, LIGHT_SHARE_WORK)
+    const lanes_f whole = density.whole + 1e-30f; /* of a path that had no choice: 1, even at a cap's horizon */
+    return lanes_select((lanes_f)(1.0f), whole / (whole + path->inverse_density * density.part), is_lamp);
+}
+
+/* Adds `radiance`, from a lamp's face along `direction`, to what these matte hits send back, if nothing is between. */
+static inline void gather_unless_shadowed(const World* world, Path* path, lanes_mask lit, Vec direction, lanes_f distance,
+                                          lanes_u face, Vec radiance, lanes_mask counts COUNTED_PARAMETER) {
+    (void)counts;
+    COUNTED(counted_lanes(counts & lit) > 0u ? 1u : 0u, SCENE_STEP_WORK(world->scene.count))
+    COUNTED_LANES(counts & lit, SCENE_SHADOW_WORK(world->scene))
+    COUNTED_LANES(counts & lit, LIGHT_SENT_WORK)
+    Ray shadow = path->ray;
+    shadow.direction = direction;
+    const lanes_mask seen = lit & sees(world->scene, &shadow, &path->inside, distance, face);
+    path->radiance = vec_select(path->radiance, vec_mul_add(path->radiance, path->throughput, radiance), seen);
+    path->shadow_rays += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), lit);
+}
+
+/* The unit normal on the path's side of matte hits. */
+static inline Vec matte_normal(const Path* path, const Surface* surface) {
+    return vec_scale(vec_sub(path->ray.origin, surface->centre), surface->matte);
+}
+
+/* Next-event estimation: adds the light of a lamp at these matte hits. The bounce that follows finds the lamp, too, with
+   `goes_on` as its chance, 0 where it is not asked; this is the share of the sum by the balance heuristic. */
+static inline void gather_lamp(const World* world, Path* path, const Surface* surface, lanes_mask matte, lanes_f goes_on,
+                               lanes_mask counts COUNTED_PARAMETER) {
+    if (!lanes_any(matte)) return;
+    const LampSample lamp = sample_lamp(&world->lamps, path->ray.origin, &path->random, counts & matte COUNTED_ARGUMENT);
+    COUNTED_LANES(counts & matte, LIGHT_COSINE_WORK)
+    const lanes_f cosine = vec_dot(matte_normal(path, surface), lamp.direction);
+    const lanes_mask lit = matte & (cosine > 0.0f) & (lamp.density.whole > 0.0f);
+    if (!lanes_any(lit)) return;
+    const lanes_f whole = cosine * lamp.density.whole;
+    COUNTED_LANES(counts & lit, LIGHT_WEIGHT_WORK)
+    const lanes_f share = whole / (PI * lamp.density.part + goes_on * whole);
+    gather_unless_shadowed(world, path, lit, lamp.direction, lamp.distance, lamp.face, vec_scale(lamp.radiance, share), counts COUNTED_ARGUMENT);
+}
+
+#endif

@@ -1,0 +1,200 @@
+/* Next-event estimation: a direction towards a lamp, and how likely it is. A lamp is a sphere that shines and that paths
+   meet from outside. */
+#ifndef PTB_SCENE_LAMPS_H
+#define PTB_SCENE_LAMPS_H
+
+#include "lib/sphere_direction.h"
+#include "scene/surface.h"
+#include "scene/work.h"
+
+#define PI 3.14159265f
+
+/* Of each lane its own lamp; see SceneLamp. */
+typedef struct Lamp {
+    Vec centre, axis, radiance;
+    lanes_f radius, extent, chance, cap_density, near_squared;
+    lanes_u face;
+} Lamp;
+
+/* The lamps of a scene: the first by value, as few spheres are, the others in memory. */
+typedef struct Lamps {
+    const SceneLamp* first;
+    __global const SceneLamp* rows;
+    uint count;
+} Lamps;
+
+#ifdef SCENE_LONE_LAMP
+
+#define LAMP_FLOAT(lamps, number, member) ((lanes_f)((lamps)->first->member))
+#define LAMP_UINT(lamps, number, member) ((lanes_u)((lamps)->first->member))
+static inline lanes_u choose_lamp(const Lamps* lamps, lanes_u word) {
+    (void)lamps, (void)word;
+    return (lanes_u)(0u);
+}
+
+#else
+
+#define LAMP_FLOAT(lamps, number, member) LANES_GATHER(float, (lamps)->rows, number, .member)
+#define LAMP_UINT(lamps, number, member) LANES_GATHER(uint, (lamps)->rows, number, .member)
+/* By power, in a time that does not depend on their number: see SceneLamp. */
+static inline lanes_u choose_lamp(const Lamps* lamps, lanes_u word) {
+    const lanes_f place = (random_1_2(word) - 1.0f) * (float)lamps->count;
+    const lanes_u number = lanes_min_u(lanes_to_u(place), (lanes_u)(lamps->count - 1u));
+    const lanes_mask stays = place - lanes_to_f(number) < LAMP_FLOAT(lamps, number, radiance_kept.w);
+    return lanes_select_u(LAMP_UINT(lamps, number, alias), number, stays);
+}
+
+#endif
+
+static inline Lamp lamp_of(const Lamps* lamps, lanes_u number) {
+    (void)number;
+    Lamp lamp;
+    lamp.centre.x = LAMP_FLOAT(lamps, number, centre_radius.x);
+    lamp.centre.y = LAMP_FLOAT(lamps, number, centre_radius.y);
+    lamp.centre.z = LAMP_FLOAT(lamps, number, centre_radius.z);
+    lamp.radius = LAMP_FLOAT(lamps, number, centre_radius.w);
+    lamp.axis.x = LAMP_FLOAT(lamps, number, axis_extent.x);
+    lamp.axis.y = LAMP_FLOAT(lamps, number, axis_extent.y);
+    lamp.axis.z = LAMP_FLOAT(lamps, number, axis_extent.z);
+    lamp.extent = LAMP_FLOAT(lamps, number, axis_extent.w);
+    lamp.radiance.x = LAMP_FLOAT(lamps, number, radiance_kept.x);
+    lamp.radiance.y = LAMP_FLOAT(lamps, number, radiance_kept.y);
+    lamp.radiance.z = LAMP_FLOAT(lamps, number, radiance_kept.z);
+    lamp.chance = LAMP_FLOAT(lamps, number, chance);
+    lamp.cap_density = LAMP_FLOAT(lamps, number, cap_density);
+    lamp.near_squared = LAMP_FLOAT(lamps, number, near_squared);
+    lamp.face = LAMP_UINT(lamps, number, face);
+    return lamp;
+}
+
+/* Of a number from 1 to 2, say 1 / x: cheaper than a division where roots are estimated. */
+static inline lanes_f inverse_by_root(lanes_f x) {
+    const lanes_f root = lanes_rsqrt(x);
+    return root * root;
+}
+
+/* A unit vector in the frame that has `axis` as its third: see "Building an Orthonormal Basis, Revisited", by Duff et al. */
+static inline Vec from_frame(Vec axis, lanes_f x, lanes_f y, lanes_f z) {
+    const lanes_f sign = lanes_select((lanes_f)(-1.0f), (lanes_f)(1.0f), axis.z >= 0.0f);
+    const lanes_f a = -sign * inverse_by_root(lanes_abs(sign + axis.z));
+    const lanes_f b = axis.x * axis.y * a;
+    const Vec first = vec(1.0f + sign * axis.x * axis.x * a, sign * b, -sign * axis.x);
+    const Vec second = vec(b, sign + axis.y * axis.y * a, -axis.y);
+    return vec_add_scaled(vec_add_scaled(vec_scale(first, x), second, y), axis, z);
+}
+
+/* A uniform direction of those whose cosine with `axis` is at most `extent` below 1. */
+static inline Vec uniform_cone(Vec axis, lanes_f extent, lanes_u u, lanes_u v) {
+    const lanes_f down = (random_1_2(u) - 1.0f) * extent;
+    lanes_f x, y;
+    turned_sincos(random_1_2(v), lanes_sqrt(down * (2.0f - down)), &y, &x);
+    return from_frame(axis, x, y, 1.0f - down);
+}
+
+/* How a point samples a lamp. Near it, and always one that hangs free, it takes the sphere as it sees it, uniformly by solid
+   angle: the cone `axis`, `extent`. Of one sunk in an opaque sphere it else takes the cap that shows, by area. */
+typedef struct Sight {
+    Vec to_centre, axis; /* the latter has length 1 */
+    lanes_f extent;
+    lanes_mask near;
+} Sight;
+
+#if defined(SCENE_LONE_LAMP) && SCENE_LONE_LAMP == SCENE_FREE_LAMP
+#define LAMPS_HAVE_CAPS 0
+#else
+#define LAMPS_HAVE_CAPS 1
+#endif
+
+static inline Sight sight_of(const Lamp* lamp, Vec point, lanes_mask counts COUNTED_PARAMETER) {
+    (void)counts;
+    Sight sight;
+    COUNTED_LANES(counts, LAMP_SIGHT_WORK)
+    sight.to_centre = vec_sub(lamp->centre, point);
+    const lanes_f squared = vec_dot(sight.to_centre, sight.to_centre);
+    sight.axis = lamp->axis;
+    sight.extent = lamp->extent;
+    sight.near = LAMPS_HAVE_CAPS ? squared < lamp->near_squared : lanes_all();
+    if (lanes_any(sight.near)) {
+        COUNTED_LANES(counts & sight.near, LAMP_NEAR_WORK)
+        const lanes_f inverse = lanes_rsqrt(squared), sine = lamp->radius * inverse;
+        sight.axis = vec_scale(sight.to_centre, inverse);
+        /* of a point that rounding put into the lamp: half of all directions */
+        const lanes_f squared_sine = lanes_min(sine * sine, (lanes_f)(1.0f));
+        sight.extent = squared_sine * inverse_by_root(1.0f + lanes_sqrt(1.0f - squared_sine));
+    }
+    return sight;
+}
+
+/* A density by solid angle is part / whole: so neither is divided by what may be 0. */
+typedef struct Density {
+    lanes_f part, whole;
+} Density;
+
+static inline Density lamp_density(const Lamp* lamp, const Sight* sight, lanes_f squared_distance, lanes_f cosine) {
+    const Density density = {
+        lanes_select(lamp->cap_density * squared_distance, lamp->chance * (0.5f / PI), sight->near),
+        lanes_select(cosine, sight->extent, sight->near)};
+    return density;
+}
+
+/* A direction towards a lamp, and how far the lamp is there. */
+typedef struct LampSample {
+    Vec direction, radiance;
+    lanes_f distance;
+    Density density;
+    lanes_u face;
+} LampSample;
+
+static inline LampSample sample_lamp(const Lamps* lamps, Vec point, Random* random, lanes_mask counts COUNTED_PARAMETER) {
+    lanes_u u, v;
+#ifdef SCENE_LONE_LAMP
+    const Lamp lamp = lamp_of(lamps, (lanes_u)(0u));
+#else
+    random_next_two(random, &u, &v);
+    COUNTED_LANES(counts, LAMP_CHOICE_WORK)
+    const Lamp lamp = lamp_of(lamps, choose_lamp(lamps, u));
+#endif
+    random_next_two(random, &u, &v);
+    const Sight sight = sight_of(&lamp, point, counts COUNTED_ARGUMENT);
+    LampSample sample;
+    sample.radiance = lamp.radiance;
+    sample.face = lamp.face;
+    lanes_f squared = (lanes_f)(0.0f), cosine = squared;
+    if (LAMPS_HAVE_CAPS) {
+        COUNTED_LANES(counts, LAMP_CAP_WORK)
+        const Vec outwards = uniform_cone(lamp.axis, lamp.extent, u, v);
+        const Vec to_cap = vec_add_scaled(sight.to_centre, outwards, lamp.radius);
+        squared = vec_dot(to_cap, to_cap);
+        const lanes_f inverse = lanes_rsqrt(squared);
+        sample.direction = vec_scale(to_cap, inverse);
+        sample.distance = squared * inverse;
+        cosine = -vec_dot(sample.direction, outwards);
+    }
+    if (lanes_any(sight.near)) {
+        COUNTED_LANES(counts & sight.near, LAMP_DIRECTION_WORK)
+        const Vec direction = uniform_cone(sight.axis, sight.extent, u, v);
+        const lanes_f middle = vec_dot(direction, sight.to_centre);
+        const Vec aside = vec_add_scaled(sight.to_centre, direction, -middle);
+        const lanes_f half_chord = lanes_sqrt(lanes_max(lamp.radius * lamp.radius - vec_dot(aside, aside), (lanes_f)(0.0f)));
+        sample.direction = LAMPS_HAVE_CAPS ? vec_select(sample.direction, direction, sight.near) : direction;
+        sample.distance =
+            LAMPS_HAVE_CAPS ? lanes_select(sample.distance, middle - half_chord, sight.near) : middle - half_chord;
+    }
+    COUNTED_LANES(counts, LAMP_DENSITY_WORK)
+    sample.density = lamp_density(&lamp, &sight, squared, cosine);
+    return sample;
+}
+
+/* The density with which sample_lamp takes the way that a path went, from `ray` over `distance` to lamp `number`. */
+static inline Density density_of_way(const Lamps* lamps, lanes_u number, const Ray* ray, lanes_f distance,
+                                     lanes_mask counts COUNTED_PARAMETER) {
+    const Lamp lamp = lamp_of(lamps, number);
+    const Sight sight = sight_of(&lamp, ray->origin, counts COUNTED_ARGUMENT);
+    COUNTED_LANES(counts, LAMP_WAY_WORK)
+    COUNTED_LANES(counts, LAMP_DENSITY_WORK)
+    /* part and whole of a cap times its radius */
+    const lanes_f beyond = vec_dot(ray->direction, sight.to_centre) - distance;
+    return lamp_density(&lamp, &sight, distance * distance * lamp.radius, lanes_max(beyond, (lanes_f)(0.0f)));
+}
+
+#endif
