@@ -24,18 +24,18 @@ check() { # FILE OPTIONS...
     fi
 }
 
-few=(-DSCENE_FEW=9 -DSCENE_OPAQUE=8 -DSCENE_ZERO_X=0x3c -DSCENE_ZERO_Y=0x13 -DSCENE_ZERO_Z=0xf)
+few=(-DSCENE_LONE_LAMP=2 -DSCENE_FEW=9 -DSCENE_OPAQUE=8 -DSCENE_ZERO_X=0x3c -DSCENE_ZERO_Y=0x13 -DSCENE_ZERO_Z=0xf)
 while IFS= read -r kernel; do
     for lanes in 1 4 8 16 32; do
         if [[ $lanes -eq 32 && $kernel == */peaks.cl ]]; then continue; fi # it needs built-ins, which end at 16
         portable=(-target spir64 "-DPTB_LANES=$lanes")
-        check "$kernel" "${portable[@]}" -DSCENE_GLOWS -DENGINE_BOUNDED
-        check "$kernel" "${portable[@]}" -DSCENE_FEW=4 -DSCENE_OPAQUE=2
-        check "$kernel" "${portable[@]}" -DSCENE_SIDE_WORDS=3 -DSCENE_SPHERES=2 -DSCENE_SURFACES=2 -DSCENE_GLOWS -DPTB_COUNT
+        check "$kernel" "${portable[@]}" -DSCENE_GLOWS -DENGINE_BOUNDED -DSCENE_LONE_LAMP=1
+        check "$kernel" "${portable[@]}" -DSCENE_FEW=4 -DSCENE_OPAQUE=2 -DSCENE_MANY_LAMPS -DENGINE_ROULETTE
+        check "$kernel" "${portable[@]}" -DSCENE_SIDE_WORDS=3 -DSCENE_SPHERES=2 -DSCENE_SURFACES=2 -DSCENE_GLOWS -DSCENE_MANY_LAMPS -DPTB_COUNT -DENGINE_ROULETTE
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_PORTABLE
-        check "$kernel" "${portable[@]}" -DSCENE_SIDE_WORDS=3 -DSCENE_SPHERES=2 -DSCENE_SURFACES=2 -DENGINE_FILTER=1
+        check "$kernel" "${portable[@]}" -DSCENE_SIDE_WORDS=3 -DSCENE_SPHERES=2 -DSCENE_SURFACES=2 -DENGINE_FILTER=1 -DSCENE_MANY_LAMPS
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_STRICT -DSCENE_SPHERES=4 -DSCENE_SURFACES=4 -DPTB_PARK_MILLER
-        check "$kernel" "${portable[@]}" -DSCENE_SPHERES=3 -DSCENE_SURFACES=3 -DSCENE_COUNT=40 -DSCENE_FACES=45 -DENGINE_FILTER=2
+        check "$kernel" "${portable[@]}" -DSCENE_SPHERES=3 -DSCENE_SURFACES=3 -DSCENE_COUNT=40 -DSCENE_FACES=45 -DENGINE_FILTER=2 -DSCENE_LONE_LAMP=2
         # With these the tables become register permutes: for PoCL's compiler and for Intel's.
         x86='-target x86_64-unknown-linux-gnu'
         for machine in "$x86 -mavx512f -mavx512vl -DPTB_WIDTH=16" "$x86 -mavx2 -mfma -DPTB_WIDTH=8" \

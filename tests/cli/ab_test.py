@@ -22,11 +22,11 @@ SLOW = SEGMENT + """            lanes_f wasted = path.ray.direction.x;
 
 
 class AbTest(CliTest):
-    def kernels(self, name, old="", new=""):
-        """A folder with a changed pt.cl."""
-        text = (SOURCE / "kernels/pt/pt.cl").read_text()
+    def kernels(self, name, old="", new="", file="engine/trace.h"):
+        """A folder with a changed file of kernels."""
+        text = (SOURCE / "kernels" / file).read_text()
         self.assertIn(old, text)
-        self.scratch.write(f"{name}/pt/pt.cl", text.replace(old, new))
+        self.scratch.write(f"{name}/{file}", text.replace(old, new))
         return name
 
     def ab(self, *words, code=0, **options):
@@ -82,7 +82,7 @@ class Decisions(AbTest):
 
 class Sides(AbTest):
     def test_a_wrong_image_on_a_side_is_exit_4_and_has_no_times(self):
-        bright = self.kernels("bright", "sum.radiance += tally.radiance;", "sum.radiance += 2.0f * tally.radiance;")
+        bright = self.kernels("bright", "{tally.radiance.x,", "{2.0f * tally.radiance.x,", "engine/film.h")
         gate = self.ab("--new-kernels", bright, code=4)
         self.assertEqual(gate["new_records"][0]["status"], "invalid")
         self.assertEqual(gate["cases"][0]["screen"], [])

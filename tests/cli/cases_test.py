@@ -43,8 +43,8 @@ class Limits(CliTest):
 class Kernels(CliTest):
     def test_a_kernel_that_does_not_compile(self):
         lines = PT_KERNEL.splitlines()
-        line = next(number for number, text in enumerate(lines, 1) if text.startswith("__kernel"))
-        self.scratch.write("kernels/pt/pt.cl", PT_KERNEL.replace("__kernel void", "__kernel mistake", 1))
+        line = next(number for number, text in enumerate(lines, 1) if text.startswith("static inline lanes_mask"))
+        self.scratch.write("kernels/pt/pt.cl", PT_KERNEL.replace("static inline lanes_mask", "static inline mistake", 1))
         record = self.only_case(*ONE, "--kernel-dir", "kernels", code=1)
         self.assertEqual(record["status"], "compile")
         self.assertRegex(record["reason"], rf"pt/pt.cl:{line}:\d+.*mistake")
@@ -69,8 +69,10 @@ class Kernels(CliTest):
         self.assertTrue(record["build"]["overridden"])
 
     def test_a_wrong_image_is_not_timed(self):
-        self.scratch.write("kernels/pt/pt.cl", PT_KERNEL.replace("sum.radiance += tally.radiance",
-                                                                 "sum.radiance += 1.2f * tally.radiance"))
+        film = (SOURCE / "kernels/engine/film.h").read_text()
+        wrong = film.replace("{tally.radiance.x, tally.radiance.y,", "{1.2f * tally.radiance.x, 1.2f * tally.radiance.y,")
+        self.assertNotEqual(wrong, film)
+        self.scratch.write("kernels/engine/film.h", wrong)
         record = self.only_case(*ONE, "--kernel-dir", "kernels", code=4)
         self.assertEqual(record["status"], "invalid")
         self.assertEqual((record["samples"], record["statistics"]), ([], None))

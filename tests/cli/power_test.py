@@ -9,10 +9,10 @@ VALIDATE = (*changed(TINY, path_length=128), "-d", "pocl:0", "--skip-time")
 
 # Name, file, right text, wrong text, what the reason says.
 WRONG = (
-    ("albedo x 0.98", "pt/pt.cl", "vec_mul(path.throughput, surface.weight)",
-     "vec_mul(path.throughput, vec_scale(surface.weight, (lanes_f)(0.98f)))", "standard errors"),
-    ("1 % of paths cut", "pt/pt.cl", "ends = surface.mirrored < 0.0f;",
-     "ends = (surface.mirrored < 0.0f) | (((unit.pixel_hash + unit.sample * 9973u) % 100u == 0u) & (turn + launch.path_length -"
+    ("albedo x 0.98", "pt/pt.cl", "vec_mul(path->throughput, surface.weight)",
+     "vec_mul(path->throughput, vec_scale(surface.weight, (lanes_f)(0.98f)))", "standard errors"),
+    ("1 % of paths cut", "engine/trace.h", "            turn = uint_hold(turn + 1u);\n",
+     "            turn = uint_hold(turn + 1u);\n            ends |= (((unit.pixel_hash + unit.sample * 9973u) % 100u == 0u) & (turn + launch.path_length -"
      " path.last_turn > (unit.pixel_hash * 7919u + unit.sample * 104729u) % launch.path_length));", "segments a sample"),
     ("pixel grid shifted by one", "engine/unit.h", "(pixel - row * launch->width)",
      "(pixel - row * launch->width + 1u)", "block at column"),
@@ -24,9 +24,8 @@ WRONG = (
      "end = LANES_GATHER(uint, starts + 1, run, );",
      "end = LANES_GATHER(uint, starts + 1, run, ) - 1u;",
      "samples counted"),
-    ("NaN in one pixel", "pt/pt.cl", "    film[launch.first_pixel + pixel] =\n",
-     "    if (launch.first_pixel + pixel == 4321u) film[launch.first_pixel + pixel].radiance.x = NAN;\n"
-     "    film[launch.first_pixel + pixel] =\n", "nan at column 97, row 33"),
+    ("NaN in one pixel", "engine/film.h", "const float radiance[3] = {tally.radiance.x,",
+     "const float radiance[3] = {launch->first_pixel + pixel == 4321u ? NAN : tally.radiance.x,", "nan at column 97, row 33"),
     ("random numbers shared by two neighbours", "engine/unit.h", "random_of_pixel(pixel,",
      "random_of_pixel(pixel / 2u,", "random numbers"),
     ("random numbers shared by two rows", "engine/unit.h", "random_of_pixel(pixel,",

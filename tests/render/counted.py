@@ -10,7 +10,7 @@ import sys
 
 MORE = 0.001
 PIXELS, SPP, PATH_LENGTH = 64, 4, 16
-# Instructions of vectors count as one: THESIS_WIDTH and ENGINE_WIDTH do so too. A call of dot stands for 7 operations, one
+# Instructions of vectors count as one: THESIS_WIDTH does so too. A call of dot stands for 7 operations, one
 # of normalize for those, a root, a division and a product with a vector.
 FLOPS = {"fadd": 1, "fsub": 1, "fmul": 1, "call llvm.fmuladd.f32()": 2, "call llvm.fmuladd.v4f32()": 2,
          "call _Z3dotDv4_fS_()": 7, "call _Z9normalizeDv4_f()": 8}
@@ -23,7 +23,7 @@ CAMERA_RAY = {"flops": 22, "roots": 1, "divisions": 1, "bytes": 0}
 
 
 def rendered(render_once, kernel, scene, *options):
-    command = ["oclgrind", "--inst-counts", "--build-options", "-cl-opt-disable -DTHESIS_WIDTH=1u -DENGINE_WIDTH=1u",
+    command = ["oclgrind", "--inst-counts", "--build-options", "-cl-opt-disable -DTHESIS_WIDTH=1u",
                render_once, kernel, "1", scene, str(SPP), str(PATH_LENGTH), *options]
     said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     assert "Oclgrind" in said, "the render was not Oclgrind's"

@@ -127,7 +127,10 @@ TEST(Truth, pt_agrees_with_the_stored_references) {
 TEST(Truth, wrong_image_is_refused_and_left_behind) {
     const Trial trial{"wrong_on_purpose", shipped_scene("free_light"), 64, 64, 2, 64};
     const Reference truth = truth_of(trial, "pt");
-    Film film{truth.mean, truth.variance, 64u * 64u * 64u, 0, {}};
+    Film film;
+    film.mean = truth.mean;
+    film.variance = truth.variance;
+    film.samples = 64u * 64u * 64u;
     film.segments = static_cast<std::uint64_t>(truth.segments_per_sample * 64 * 64 * 64 + 0.5);
     RenderJob job;
     job.size = truth.size;

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/integrator/runs.h"
+#include "core/integrator/unit_cut.h"
 
 using namespace ptb;
 
