@@ -27,6 +27,8 @@ struct Integrator {
     Memory (*memory)(const ocl::Device& device, const Scene& scene, const RenderJob& job);
     std::unique_ptr<Render> (*make)(const ocl::Device& device, const ocl::Program& program,
                                     const Scene& scene, const RenderJob& job);
+    /// The kernel whose references and host tracer its films are judged by, where that is not itself.
+    std::string truth = {};
 };
 
 /// Every integrator, the plain one first.
@@ -37,6 +39,9 @@ std::vector<std::string> integrator_ids();
 
 /// Throws std::out_of_range when there is none of that id.
 const Integrator& integrator(const std::string& id);
+
+/// The kernel whose references and host tracer judge `id`, be it of this build or of another's results.
+std::string truth_of(const std::string& id);
 
 /// The device's own lane width where the integrator has it, else the integrator's first.
 int default_lanes(const Integrator& integrator, const DeviceInfo& device);
