@@ -30,7 +30,6 @@ class Path {
     /// Chooses the next direction by the surface's material, whose weight goes into the throughput.
     void scatter();
 
-    int sphere() const { return sphere_; }
     const Material& material() const;
     const Vec3& position() const { return ray_.origin; }
     /// Unit length, on the path's side of the surface.

@@ -62,8 +62,8 @@ std::vector<LampPoint> lamp_points(const Scene& scene) {
         const Sphere& sphere = scene.spheres[i];
         const Vec3& radiance = scene.materials[static_cast<std::size_t>(sphere.material)].radiance;
         if (radiance == Vec3{} || around_camera[i]) continue;
-        const Cap shown = smallest_cap(scene, i, around_camera);
-        if (shown.height > 0) points.push_back(as_point(sphere, static_cast<int>(i), radiance, shown));
+        points.push_back(
+            as_point(sphere, static_cast<int>(i), radiance, smallest_cap(scene, i, around_camera)));
     }
     return points;
 }
@@ -73,8 +73,7 @@ Vec3 lit_by(const LampPoint& lamp, const Path& path) {
     const Vec3 way = lamp.position - path.position();
     const double cos_in = dot(normalized(way), path.normal());
     const bool behind = lamp.axis && dot(way, *lamp.axis) >= 0;
-    if (lamp.sphere == path.sphere() || cos_in <= 0 || behind || !path.sees(lamp.position, lamp.sphere))
-        return {};
+    if (cos_in <= 0 || behind || !path.sees(lamp.position, lamp.sphere)) return {};
     return path.throughput() * path.material().albedo * lamp.intensity *
            (cos_in / (std::numbers::pi * dot(way, way)));
 }

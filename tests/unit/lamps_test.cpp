@@ -212,9 +212,10 @@ std::vector<double> drawn(const AliasTable& table) {
 TEST(AliasTable, draws_what_its_pdf_says) {
     std::mt19937 random(11);
     std::exponential_distribution<double> exponential;
-    for (const int size : {1, 2, 3, 10, 1000}) {
+    for (int size = 1; size < 300; size += size < 10 ? 1 : 7) {
         std::vector<double> weights;
-        for (int i = 0; i < size; ++i) weights.push_back(i % 4 == 3 ? 0 : std::pow(exponential(random), 4));
+        for (int i = 0; i < size; ++i)
+            weights.push_back(i % 4 == 0 && size > 1 ? 0 : std::pow(exponential(random), 4));
         const AliasTable table = make_alias_table(weights);
         const std::vector<double> pdf = drawn(table);
         const double total = std::accumulate(weights.begin(), weights.end(), 0.0);

@@ -121,6 +121,13 @@ TEST(TraceWhitted, a_sunk_lamp_lights_nothing_behind_its_cap) {
     }
 }
 
+TEST(TraceWhitted, a_lamp_that_glass_cuts_hangs_free) {
+    Scene scene = floor_view();
+    add(scene, {0, 20, 0}, 3, lamp({1, 1, 1}));
+    add(scene, {0, 24, 0}, 3, glass(1.5));
+    expect_whitted(scene, 2, floor_under(std::numbers::pi * 9, 20));
+}
+
 TEST(TraceWhitted, hidden_lamps_light_nothing) {
     Scene scene = floor_view();
     add(scene, {0, 20, 0}, 1, lamp({1, 1, 1}));
@@ -152,8 +159,11 @@ TEST(TraceWhitted, what_glows_does_not_light_itself) {
     Scene scene = narrow_view();
     add(scene, {0, 0, 10}, 1, glowing_wall({1, 2, 3}, {1, 1, 1}));
     expect_every_pixel(trace_whitted(scene, job(4, 3, 128)).mean, {1, 2, 3});
-    add(scene, {0, 1e6 + 0.5, 0}, 1e6, matte(0));  // nor when sunk
-    expect_every_pixel(trace_whitted(scene, job(4, 3, 128)).mean, {1, 2, 3});
+    // Nor when sunk and seen right in the middle of its cap, where its point is.
+    add(scene, {0, 0, 1e6 + 9.5}, 1e6, matte(0));
+    OracleJob middle = job(1, 1, 128);
+    middle.pixel_centres = true;
+    expect_every_pixel(trace_whitted(scene, middle).mean, {1, 2, 3});
 }
 
 TEST(Tracers, results_do_not_depend_on_threads) {
