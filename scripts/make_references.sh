@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes results/references: the exact commands. Run from the repository's root; takes about 25 minutes of one core.
+# Makes results/references: the exact commands. Run from the repository's root; takes about 30 minutes of one core.
 # usage: scripts/make_references.sh [FOLDER OF ptbench_reference] [THREADS]
 set -eu
 bin=${1:-build/release/bin}
@@ -17,9 +17,21 @@ for scene in thesis free_light; do
         make_one "$scene" "$kernel" 5 4000
     done
 done
-make_one furnace pt 5 64 # every sample is the same
-make_one furnace pt 128 64
 make_one thesis pt 128 6000
 make_one thesis thesis 128 4000
 make_one free_light pt 128 4000
 make_one free_light thesis 128 4000
+make_one lamps pt 2 8000
+make_one lamps pt 5 4000
+make_one lamps pt 128 4000
+for scene in thesis free_light lamps; do
+    for path_length in 5 128; do
+        make_one "$scene" direct "$path_length" 4000
+        make_one "$scene" whitted "$path_length" 2000
+    done
+done
+for path_length in 5 128; do # every sample is the same
+    make_one furnace pt "$path_length" 64
+done
+make_one furnace direct 5 64
+make_one furnace whitted 5 64

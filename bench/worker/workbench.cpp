@@ -208,12 +208,12 @@ std::optional<Reference> Workbench::stored_reference(const Job& job) const {
     if (job.work.variant.pixel_filter == PixelFilter::centre) return std::nullopt;  // theirs is another image
     return load_reference(
         data_folder_ / "results" / "references",
-        reference_name(job.scene->name, job.params.kernel, validation_size, job.work.path_length));
+        reference_name(job.scene->name, truth_of(job.params.kernel), validation_size, job.work.path_length));
 }
 
 /// A few samples of the host's own tracer, for work that has no stored reference.
 Reference Workbench::host_reference(const Job& job) const {
-    const auto trace = job.params.kernel == "thesis" ? trace_thesis : trace_pt;
+    const Tracer trace = tracers().at(truth_of(job.params.kernel));
     OracleJob work;
     work.size = {32, 32};
     work.spp = 4;
@@ -260,9 +260,9 @@ const Validation& Workbench::validated(const Job& job, const Stage& progress) {
         check_against(validation, evidence, *reference);
     else
         check_timed(validation, evidence, host_reference(job));
-    validation.against =
-        reference ? reference_name(job.scene->name, job.params.kernel, validation_size, work.path_length)
-                  : "the host's tracer, a few samples (there is no stored reference)";
+    validation.against = reference ? reference_name(reference->scene, reference->kernel, reference->size,
+                                                    reference->path_length)
+                                   : "the host's tracer, a few samples (there is no stored reference)";
     return validations_[job.image_key()] = validation;
 }
 

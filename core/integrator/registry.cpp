@@ -85,6 +85,12 @@ const Integrator& integrator(const std::string& id) {
     throw std::out_of_range(fmt::format("no kernel \"{}\"", id));
 }
 
+std::string truth_of(const std::string& id) {
+    for (const Integrator& row : integrators())
+        if (row.id == id && !row.truth.empty()) return row.truth;
+    return id;
+}
+
 int default_lanes(const Integrator& integrator, const DeviceInfo& device) {
     const auto& widths = integrator.lanes;
     const bool has = std::find(widths.begin(), widths.end(), device.default_lanes) != widths.end();

@@ -64,6 +64,9 @@ std::vector<std::string> integrator_ids();
 /// Throws std::out_of_range when there is none of that id.
 const Integrator& integrator(const std::string& id);
 
+/// The kernel whose references and host tracer judge `id`, be it of this build or of another's results.
+std::string truth_of(const std::string& id);
+
 /// The device's own lane width where the integrator has it, else the integrator's first.
 int default_lanes(const Integrator& integrator, const DeviceInfo& device);
 

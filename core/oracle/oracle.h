@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <string>
 
 #include "core/image/image.h"
 #include "core/scene/scene.h"
@@ -28,12 +30,23 @@ struct OracleJob {
     std::function<void(int rows_done)> on_row;  ///< progress, or empty; from any thread, one call at a time
 };
 
-/// Plain double-precision path tracer of the physically right estimator (the kernel `pt`'s truth):
-/// box-filtered pixels, exact dielectric Fresnel, cosine-weighted Lambert, no next-event estimation, no
-/// roulette.
+/// The physically right estimator (the kernel `pt`'s truth): box-filtered pixels, exact dielectric Fresnel,
+/// cosine-weighted Lambert, no next-event estimation, no roulette.
 OracleResult trace_pt(const Scene& scene, const OracleJob& job);
+
+/// As `trace_pt` to the first matte surface, which is lit by what its next segment meets: lamps as they are,
+/// nothing by way of mirrors, glass or other matte surfaces.
+OracleResult trace_direct(const Scene& scene, const OracleJob& job);
+
+/// As `trace_direct`, but the first matte surface is lit by each lamp's power from one point of it.
+OracleResult trace_whitted(const Scene& scene, const OracleJob& job);
 
 /// The thesis' algorithm with its defects (the kernel `thesis`' twin), in double precision.
 OracleResult trace_thesis(const Scene& scene, const OracleJob& job);
+
+using Tracer = OracleResult (*)(const Scene&, const OracleJob&);
+
+/// The tracers above by the kernels whose truth they are.
+const std::map<std::string, Tracer>& tracers();
 
 }  // namespace ptb

@@ -20,7 +20,7 @@ struct Options {
 
 void add_options(CLI::App& app, Options& options) {
     app.add_option("--scene", options.scene, "scene file")->required();
-    app.add_option("--kernel", options.kernel, "whose twin traces")->check(CLI::IsMember({"pt", "thesis"}));
+    app.add_option("--kernel", options.kernel, "whose twin traces")->check(CLI::IsMember(ptb::tracers()));
     app.add_option("--size", options.size, "pixels a side")->check(CLI::Range(1, 8192));
     app.add_option("--spp", options.job.spp, "samples per pixel")->check(CLI::Range(1, 100'000'000));
     app.add_option("--path-length", options.job.path_length, "most segments of a path")
@@ -43,8 +43,7 @@ ptb::Reference make_reference(Options& options) {
     const ptb::Scene scene = ptb::load_scene(options.scene);
     options.job.size = {options.size, options.size};
     options.job.on_row = [&](int rows) { fmt::print(stderr, "\r{} of {} rows", rows, options.size); };
-    const ptb::OracleResult result =
-        options.kernel == "pt" ? trace_pt(scene, options.job) : trace_thesis(scene, options.job);
+    const ptb::OracleResult result = ptb::tracers().at(options.kernel)(scene, options.job);
     fmt::print(stderr, "\n");
     const auto samples = static_cast<double>(result.samples);
     return {.scene = scene.name,

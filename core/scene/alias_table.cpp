@@ -1,6 +1,5 @@
 #include "core/scene/alias_table.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <numeric>
 
@@ -21,15 +20,13 @@ int take(std::vector<int>& from) {
     return last;
 }
 
-/// All columns full of themselves, those of no weight of the heaviest: what rounding leaves over stays so.
+/// Every column full of itself, as the last ones stay, which rounding leaves a little short.
 AliasTable full_columns(const std::vector<double>& weights, double total) {
-    const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
     AliasTable table;
-    for (const double weight : weights) {
-        table.pdf.push_back(weight / total);
-        table.probability.push_back(weight > 0 ? 1 : 0);
-        table.alias.push_back(static_cast<int>(heaviest));
-    }
+    table.probability.assign(weights.size(), 1);
+    table.alias.resize(weights.size());
+    std::iota(table.alias.begin(), table.alias.end(), 0);
+    for (const double weight : weights) table.pdf.push_back(weight / total);
     return table;
 }
 

@@ -99,7 +99,7 @@ class Axes(CliTest):
     def test_unknown_names_get_the_nearest_and_what_there_is(self):
         for words, says in [
             (("--kernel", "ptt"), ('"ptt"', "did you mean pt?", "thesis, pt")),
-            (("--scene", "thesi"), ('"thesi"', "did you mean thesis?", "free_light, furnace, thesis")),
+            (("--scene", "thesi"), ('"thesi"', "did you mean thesis?", "free_light, furnace, lamps, thesis")),
             (("--config", "quik"), ('"quik"', "did you mean quick?", "ci, doctor, memory, quality, queues, quick, speed, thesis, tune, workgroups")),
             (("--config", "."), ("no file", "ci, doctor, memory, quality, queues, quick, speed, thesis, tune, workgroups")),
         ]:

@@ -22,15 +22,14 @@ struct Trial {
     int edge = 48, spp = 64, path_length = 5, oracle_spp = 64;
 };
 
-Reference truth_of(const Trial& trial, const std::string& kernel) {
+Reference traced(const Trial& trial, const std::string& kernel) {
     OracleJob job;
     job.size = {trial.edge, trial.edge};
     job.spp = trial.oracle_spp;
     job.path_length = trial.path_length;
     job.seed = 99;
     job.threads = 2;
-    return reference_of(kernel == "pt" ? trace_pt(trial.scene, job) : trace_thesis(trial.scene, job),
-                        trial.scene, kernel, job);
+    return reference_of(tracers().at(truth_of(kernel))(trial.scene, job), trial.scene, kernel, job);
 }
 
 std::string file_name(const Trial& trial, const std::string& kernel, const ocl::Device& device, int lanes) {
@@ -41,7 +40,7 @@ std::string file_name(const Trial& trial, const std::string& kernel, const ocl::
 
 /// Renders the trial with every lane width on every device and judges each against the host's tracer.
 void expect_truth(const Trial& trial, const std::string& kernel) {
-    const Reference truth = truth_of(trial, kernel);
+    const Reference truth = traced(trial, kernel);
     on_every_device([&](const ocl::Device& device) {
         for (const int lanes : integrator(kernel).lanes) {
             RenderJob job;
@@ -106,7 +105,7 @@ TEST(Truth, ten_thousand_spheres_lie_in_global_memory) {
 TEST(Truth, pt_agrees_with_the_stored_references) {
     const auto folder = std::filesystem::path(PTB_SOURCE_DIR) / "results/references";
     int found = 0;
-    for (const std::string scene : {"thesis", "free_light", "furnace"}) {
+    for (const std::string scene : {"thesis", "free_light", "furnace", "lamps"}) {
         const auto reference = load_reference(folder, reference_name(scene, "pt", validation_size, 5));
         if (!reference) continue;
         ++found;
@@ -126,7 +125,7 @@ TEST(Truth, pt_agrees_with_the_stored_references) {
 
 TEST(Truth, wrong_image_is_refused_and_left_behind) {
     const Trial trial{"wrong_on_purpose", shipped_scene("free_light"), 64, 64, 2, 64};
-    const Reference truth = truth_of(trial, "pt");
+    const Reference truth = traced(trial, "pt");
     Film film;
     film.mean = truth.mean;
     film.variance = truth.variance;

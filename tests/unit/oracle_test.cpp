@@ -8,88 +8,10 @@
 
 #include "core/oracle/random.h"
 #include "core/scene/scene.h"
+#include "tests/support/oracle_support.h"
 
 namespace ptb {
 namespace {
-
-Material matte(double albedo) {
-    Material material;
-    material.albedo = {albedo, albedo, albedo};
-    return material;
-}
-
-Material mirror(const Vec3& reflectance) {
-    Material material;
-    material.type = MaterialType::mirror;
-    material.reflectance = reflectance;
-    return material;
-}
-
-Material glass(double ior) {
-    Material material;
-    material.type = MaterialType::dielectric;
-    material.ior = ior;
-    return material;
-}
-
-/// Ends paths; one with an albedo would not.
-Material lamp(const Vec3& radiance) {
-    Material material;
-    material.type = MaterialType::emitter;
-    material.radiance = radiance;
-    material.scatters = false;
-    return material;
-}
-
-Material glowing_wall(const Vec3& radiance, const Vec3& albedo) {
-    Material material = lamp(radiance);
-    material.albedo = albedo;
-    material.scatters = true;
-    return material;
-}
-
-/// Camera at the origin, looking along +z through an angle so narrow that all rays are one.
-Scene narrow_view() {
-    Scene scene;
-    scene.camera = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1e-4};
-    return scene;
-}
-
-void add(Scene& scene, const Vec3& centre, double radius, const Material& material) {
-    scene.spheres.push_back({centre, radius, static_cast<int>(scene.materials.size())});
-    scene.materials.push_back(material);
-}
-
-OracleJob job(int side, int spp, int path_length) {
-    OracleJob job;
-    job.size = {side, side};
-    job.spp = spp;
-    job.path_length = path_length;
-    return job;
-}
-
-/// Mean over the image and its standard error.
-struct Estimate {
-    double mean = 0, standard_error = 0;
-};
-
-Estimate estimate(const OracleResult& result, int spp, std::size_t channel = 0) {
-    double sum = 0, variance = 0;
-    for (std::size_t i = channel; i < result.mean.rgb.size(); i += 3) {
-        sum += static_cast<double>(result.mean.rgb[i]);
-        variance += static_cast<double>(result.variance.rgb[i]) / spp;
-    }
-    const auto pixels = static_cast<double>(result.mean.size.pixels());
-    return {sum / pixels, std::sqrt(variance) / pixels};
-}
-
-void expect_every_pixel(const Image& image, const Vec3& value) {
-    for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
-        EXPECT_FLOAT_EQ(image.rgb[i], static_cast<float>(value.x));
-        EXPECT_FLOAT_EQ(image.rgb[i + 1], static_cast<float>(value.y));
-        EXPECT_FLOAT_EQ(image.rgb[i + 2], static_cast<float>(value.z));
-    }
-}
 
 double geometric(double albedo, int terms) { return (1 - std::pow(albedo, terms)) / (1 - albedo); }
 
@@ -250,9 +172,7 @@ TEST(TracePt, clear_balls_do_not_change_a_furnace) {
 TEST(TracePt, matte_floor_under_a_round_lamp_follows_lambert) {
     // A lamp of radiance 1 and half angle t about the normal gives albedo * sin(t)^2; uniform directions
     // instead of cosine-weighted ones would give 1 - cos(t).
-    Scene scene;
-    scene.camera = {{5, 10, 0}, {0, 0, 0}, {0, 1, 0}, 1e-4};
-    add(scene, {0, -1e6, 0}, 1e6, matte(0.5));
+    Scene scene = floor_view();
     add(scene, {0, 20, 0}, 10, lamp({1, 1, 1}));
     const int spp = 20000;
     const Estimate found = estimate(trace_pt(scene, job(4, spp, 2)), spp);
@@ -337,9 +257,7 @@ TEST(TraceThesis, matte_directions_are_those_of_the_cube) {
     // A lamp of half angle t about a face's normal is hit by the points of the cube (volume 8) in the cone
     // above and, turned over, the cone below (volume pi tan(t)^2 / 3 each). Lambert's weight would give
     // sin(t)^2 instead.
-    Scene scene;
-    scene.camera = {{5, 10, 0}, {0, 0, 0}, {0, 1, 0}, 1e-4};
-    add(scene, {0, -1e6, 0}, 1e6, matte(0.5));
+    Scene scene = floor_view();
     add(scene, {0, 20, 0}, 10, lamp({1, 1, 1}));
     const int spp = 20000;
     const Estimate found = estimate(trace_thesis(scene, job(4, spp, 2)), spp);

@@ -13,6 +13,7 @@
 #include "bench/validate/blocks.h"
 #include "bench/validate/validate.h"
 #include "core/image/image_io.h"
+#include "core/integrator/registry.h"
 
 namespace ptb {
 namespace {
@@ -62,7 +63,8 @@ std::string caption_of(const ResultFile& result, const Picture& picture) {
 
 std::optional<Reference> reference_of(const Case& c, const fs::path& folder) {
     if (!is_plain_name(c.scene) || !is_plain_name(c.kernel)) return std::nullopt;
-    return load_reference(folder, reference_name(c.scene, c.kernel, validation_size, c.path_length));
+    return load_reference(folder,
+                          reference_name(c.scene, truth_of(c.kernel), validation_size, c.path_length));
 }
 
 Figure z_figure(const Image& image, const Reference& reference, const Picture& picture) {
@@ -82,7 +84,8 @@ void append(std::vector<Figure>& all, const ResultFile& result, const Picture& p
     const Image image = read_png(folder / picture.file);
     const auto reference = reference_of(picture.params, references);
     const Case& c = picture.params;
-    const std::string truth = fmt::format("{}, {}, path length {}", c.scene, c.kernel, c.path_length);
+    const std::string truth =
+        fmt::format("{}, {}, path length {}", c.scene, truth_of(c.kernel), c.path_length);
     if (reference && shown.insert(truth).second)
         all.push_back({fmt::format("reference: {}, {} samples per pixel on the host", truth, reference->spp),
                        webp(small(reference->mean))});
