@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/integrator/placement.h"
 #include "core/integrator/pt_film.h"
 #include "core/integrator/pt_scene.h"
 #include "core/integrator/variant_support.h"
@@ -64,6 +65,12 @@ std::string memory_refusal(const ocl::Device& device, const PtScene& scene, cons
     return "";
 }
 
+/// Whether a path may carry every sphere's gap: each move adds an error of its own, as in a random walk.
+bool carries_gaps(const PtScene& scene, int path_length) {
+    return scene.is_few() && !scene.has_careful() &&
+           scene.plain_error * std::sqrt(path_length) <= bearable_error;
+}
+
 /// The kernel divides by products, which are exact up to here.
 constexpr std::uint32_t most_rows = (1u << 22) - 1;
 
@@ -112,7 +119,11 @@ std::string pt_options(const ocl::Device& device, const Scene& scene, const Rend
     if (ocl::bounds_loops(device.info)) text += " -DPT_BOUNDED";
     if (glows(scene)) text += " -DPT_GLOWS";
     if (lone_on_gpu) text += " -DPT_BATCH=6";
-    if (lone_on_gpu && pt_scene.is_few()) text += " -DPT_CARRIED";
+    if (lone_on_gpu && carries_gaps(pt_scene, job.path_length)) text += " -DPT_CARRIED";
+    if (pt_scene.has_careful())
+        text += fmt::format(
+            " -DPT_CAREFUL_BEGIN={}u -DPT_CAREFUL_END={}u -DPT_DISTANT_BEGIN={}u -DPT_DISTANT_END={}u",
+            pt_scene.careful.begin, pt_scene.careful.end, pt_scene.distant.begin, pt_scene.distant.end);
     if (job.variant.pixel_filter != PixelFilter::jitter)
         text += fmt::format(" -DPT_FILTER={}",
                             job.variant.pixel_filter == PixelFilter::centre ? PT_CENTRE : PT_STRATIFIED);

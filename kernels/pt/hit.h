@@ -68,7 +68,20 @@ static inline lanes_u hit_face(const Hit* hit) { return hit->number; }
 
    PT_CARRIED, for few spheres and one ray a work-item: a path carries every sphere's gap in a register. It starts as
    rounded from double on the host, and a move by t along d adds t (2 b - t).
-   Otherwise gap = 2 o.c - o.o - k, where k = |c|^2 - r^2, rounded from double, and all terms are twenty times smaller. */
+   Otherwise gap = 2 o.c - o.o - k, where k = |c|^2 - r^2, rounded from double, and all terms are twenty times smaller.
+
+   The host puts the origin where that errs least, and bounds the error (core/integrator/placement.h). Spheres for which it
+   is too large lie together, PT_CAREFUL_BEGIN to PT_CAREFUL_END; no path carries gaps where there are any. Distant ones,
+   so far from the origin for their size that the gap has no digits left, are PT_DISTANT_BEGIN to PT_DISTANT_END of these;
+   the others are vast: their gap is right, but the distance drowns as the small difference of b and the root. */
+#ifdef PT_CAREFUL_BEGIN
+static inline bool is_distant(uint i) { return i - PT_DISTANT_BEGIN < PT_DISTANT_END - PT_DISTANT_BEGIN; }
+static inline bool is_vast(uint i) { return i - PT_CAREFUL_BEGIN < PT_CAREFUL_END - PT_CAREFUL_BEGIN && !is_distant(i); }
+#else
+static inline bool is_distant(uint i) { return (void)i, false; }
+static inline bool is_vast(uint i) { return (void)i, false; }
+#endif
+
 typedef struct Line {
     Vec direction;
     lanes_f minus_od;
@@ -105,21 +118,41 @@ static inline lanes_f dot_centre(float4 centre, uint i, Vec a, lanes_f more) {
 }
 
 typedef struct Quadratic {
-    lanes_f b, d; /* distance = b -+ sqrt(d) */
+    lanes_f b, d, gap; /* distance = b -+ sqrt(d), and the product of both is -gap */
 } Quadratic;
+
+/* Of a distant sphere, whose w is radius^2: by way of the line's point nearest to the centre, see "Precision Improvements
+   for Ray/Sphere Intersection", by E. Haines, J. Guenther and T. Akenine-Moeller. */
+static inline Quadratic quadratic_of_distant(float4 centre_rr, const Ray* ray) {
+    const Vec to_centre = vec_sub(vec_of(centre_rr), ray->origin);
+    Quadratic e;
+    e.b = vec_dot(to_centre, ray->direction);
+    const Vec nearest = vec_add_scaled(to_centre, ray->direction, -e.b);
+    e.d = centre_rr.w - vec_dot(nearest, nearest);
+    e.gap = (lanes_f)(0.0f); /* asked of vast ones only */
+    return e;
+}
 
 /* Of sphere number i. */
 static inline Quadratic quadratic_of(float4 centre_k, uint i, const Line* line, const Ray* ray, Hit* hit) {
+    if (is_distant(i)) return quadratic_of_distant(centre_k, ray);
     Quadratic e;
     e.b = dot_centre(centre_k, i, line->direction, line->minus_od);
 #ifdef PT_CARRIED
-    e.d = e.b * e.b + ray->gap[i];
+    e.gap = ray->gap[i];
     hit->half_linear[i] = e.b;
 #else
     (void)ray, (void)hit;
-    e.d = e.b * e.b + dot_centre(centre_k, i, line->twice_origin, line->minus_oo - centre_k.w);
+    e.gap = dot_centre(centre_k, i, line->twice_origin, line->minus_oo - centre_k.w);
 #endif
+    e.d = e.b * e.b + e.gap;
     return e;
+}
+
+/* b + root, a root of either sign. Of a vast sphere, where they cancel, by the product with the other distance. */
+static inline lanes_f distance_by(Quadratic e, lanes_f root, uint i) {
+    if (!is_vast(i)) return e.b + root;
+    return lanes_select(e.b + root, e.gap / (root - e.b), e.b * root < 0.0f);
 }
 
 static inline void offer_opaque(Hit* hit, Scene scene, const Line* line, const Ray* ray) {
@@ -127,7 +160,7 @@ static inline void offer_opaque(Hit* hit, Scene scene, const Line* line, const R
     for (uint i = 0; i < scene.opaque; ++i) {
         const Quadratic e = quadratic_of(scene.spheres[i].centre_k, i, line, ray, hit);
         const lanes_f root = i % 2u == 1u ? lanes_sqrt_beside(e.d) : lanes_sqrt(e.d);
-        hit_offer(hit, e.b - root, (lanes_u)(opaque_face(scene, i)), scene.distance_mask);
+        hit_offer(hit, distance_by(e, -root, i), (lanes_u)(opaque_face(scene, i)), scene.distance_mask);
     }
 }
 
@@ -138,7 +171,7 @@ static inline void offer_two_sided(Hit* hit, Scene scene, const Line* line, cons
         /* inside |d|, and the greater distance */
         const lanes_u side = side_of(scene, inside, i - scene.opaque), in = side_sign(scene, side);
         const lanes_f root = lanes_sqrt(lanes_as_f(lanes_as_u(e.d) & ~in));
-        const lanes_f distance = e.b + lanes_as_f(lanes_as_u(root) ^ in ^ LANES_SIGN);
+        const lanes_f distance = distance_by(e, lanes_as_f(lanes_as_u(root) ^ in ^ LANES_SIGN), i);
         hit_offer(hit, distance, two_sided_face(scene, i - scene.opaque, side), scene.distance_mask);
     }
 }

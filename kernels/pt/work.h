@@ -32,7 +32,7 @@
 #endif
 
 /* pt/hit.h: what a ray prepares; what a sphere costs, the move to the hit included where it carries gaps; what the zeros
-   of centres save. */
+   of centres save; what distant and vast spheres cost more. */
 #define PT_ZEROS (popcount(PT_ZERO_X) + popcount(PT_ZERO_Y) + popcount(PT_ZERO_Z))
 #ifdef PT_CARRIED
 #define PT_LINE_FLOPS 5u
@@ -43,6 +43,14 @@
 #define PT_TEST_FLOPS (6u + 9u + 1u)
 #define PT_SAVED_FLOPS (4u * PT_ZEROS)
 #endif
+#ifdef PT_CAREFUL_BEGIN
+#define PT_DISTANT_ONES (PT_DISTANT_END - PT_DISTANT_BEGIN)
+#define PT_VAST_ONES (PT_CAREFUL_END - PT_CAREFUL_BEGIN - PT_DISTANT_ONES)
+#else
+#define PT_DISTANT_ONES 0u
+#define PT_VAST_ONES 0u
+#endif
+#define PT_CARE_FLOPS (5u * PT_DISTANT_ONES + 2u * PT_VAST_ONES)
 
 #ifdef PT_GLOWS
 #define PT_GATHER_FLOPS 6u /* a segment */
@@ -73,10 +81,10 @@
 
 /* A segment, throughput too, and the numbers of its surface. */
 #define PT_SEGMENT_WORK(scene)                                                                                     \
-    (PT_LINE_FLOPS + (scene).count * PT_TEST_FLOPS + PT_ESTIMATES(scene) * 6u - PT_SAVED_FLOPS + PT_GATHER_FLOPS + \
-     3u + PT_SCATTER_FLOPS + PT_SPHERE_FLOPS + PT_NORMALIZE_FLOPS),                                                \
-        ((scene).count - PT_ESTIMATES(scene) + PT_SPHERE_ROOTS + PT_RSQRT_ROOTS), PT_RSQRT_DIVISIONS,              \
-        PT_SURFACE_BYTES(48u)
+    (PT_LINE_FLOPS + (scene).count * PT_TEST_FLOPS + PT_ESTIMATES(scene) * 6u + PT_CARE_FLOPS - PT_SAVED_FLOPS +   \
+     PT_GATHER_FLOPS + 3u + PT_SCATTER_FLOPS + PT_SPHERE_FLOPS + PT_NORMALIZE_FLOPS),                              \
+        ((scene).count - PT_ESTIMATES(scene) + PT_SPHERE_ROOTS + PT_RSQRT_ROOTS),                                  \
+        (PT_RSQRT_DIVISIONS + PT_VAST_ONES), PT_SURFACE_BYTES(48u)
 /* The spheres, which all lanes of a work-item share. */
 #define PT_STEP_WORK(spheres) 0u, 0u, 0u, (spheres) * PT_SPHERE_BYTES
 /* Refraction, which every ray works out in scenes with two-sided spheres. */

@@ -24,6 +24,7 @@ check() { # FILE OPTIONS...
     fi
 }
 
+careful=(-DPT_CAREFUL_BEGIN=1u -DPT_CAREFUL_END=4u -DPT_DISTANT_BEGIN=2u -DPT_DISTANT_END=3u)
 few=(-DPT_FEW=9 -DPT_OPAQUE=8 -DPT_ZERO_X=0x3c -DPT_ZERO_Y=0x13 -DPT_ZERO_Z=0xf)
 while IFS= read -r kernel; do
     for lanes in 1 4 8 16 32; do
@@ -31,6 +32,8 @@ while IFS= read -r kernel; do
         portable=(-target spir64 "-DPTB_LANES=$lanes")
         check "$kernel" "${portable[@]}" -DPT_GLOWS -DPT_BOUNDED
         check "$kernel" "${portable[@]}" -DPT_FEW=4 -DPT_OPAQUE=2
+        check "$kernel" "${portable[@]}" -DPT_FEW=4 -DPT_OPAQUE=2 "${careful[@]}"
+        check "$kernel" "${portable[@]}" "${careful[@]}" -DPTB_COUNT
         check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3 -DPT_SPHERES=2 -DPT_SURFACES=2 -DPT_GLOWS -DPTB_COUNT
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_PORTABLE
         check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3 -DPT_SPHERES=2 -DPT_SURFACES=2 -DPT_FILTER=1
