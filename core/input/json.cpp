@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <functional>
 #include <limits>
 #include <set>
 #include <utility>
@@ -19,33 +18,8 @@
 namespace ptb {
 namespace {
 
-constexpr int deepest = 64;
+constexpr std::size_t deepest = 64;
 constexpr std::size_t most_keys = 10'000;  ///< per object: looking one up is linear
-
-/// Refuses, while parsing, what is well-formed but hostile or ambiguous.
-class Guard {
-  public:
-    explicit Guard(const std::string& origin) : origin_(origin) {}
-
-    bool operator()(int depth, Json::parse_event_t event, const Json& json) {
-        if (depth > deepest) fail(fmt::format("nested deeper than {} levels", deepest));
-        if (event == Json::parse_event_t::object_start) keys_.emplace_back();
-        if (event == Json::parse_event_t::object_end) keys_.pop_back();
-        if (event == Json::parse_event_t::key) add_key(json.get_ref<const std::string&>());
-        return true;
-    }
-
-  private:
-    void add_key(const std::string& key) {
-        if (!keys_.back().insert(key).second)
-            fail(fmt::format("key \"{}\" comes twice in an object", shortened(printable(key), 40)));
-        if (keys_.back().size() > most_keys) fail(fmt::format("more than {} keys in an object", most_keys));
-    }
-    [[noreturn]] void fail(const std::string& message) const { throw UsageError(origin_ + ": " + message); }
-
-    const std::string& origin_;
-    std::vector<std::set<std::string>> keys_;
-};
 
 /// nlohmann's message without its "[json.exception...] ".
 std::string plain_message(const std::exception& error) {
@@ -53,6 +27,78 @@ std::string plain_message(const std::exception& error) {
     const auto end = message.find("] ");
     return shortened(printable(end == std::string::npos ? message : message.substr(end + 2)), 200);
 }
+
+/// Builds a document value by value, a step each, and refuses what is well-formed but hostile or ambiguous.
+/// (nlohmann's own parser with a callback looks through all of a container after each of its elements.)
+class Builder : public nlohmann::json_sax<Json> {
+  public:
+    explicit Builder(const std::string& origin) : origin_(origin) {}
+    Json take() { return std::move(root_); }
+
+    bool null() override { return add(nullptr); }
+    bool boolean(bool value) override { return add(value); }
+    bool number_integer(number_integer_t value) override { return add(value); }
+    bool number_unsigned(number_unsigned_t value) override { return add(value); }
+    bool number_float(number_float_t value, const string_t&) override { return add(value); }
+    bool string(string_t& value) override { return add(std::move(value)); }
+    bool binary(binary_t& value) override { return add(std::move(value)); }
+    bool start_object(std::size_t) override { return open(Json::object()); }
+    bool end_object() override { return close(); }
+    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool end_array() override { return close(); }
+
+    bool key(string_t& value) override {
+        std::set<std::string>& keys = open_.back().keys;
+        if (!keys.insert(value).second)
+            fail(fmt::format("key \"{}\" comes twice in an object", shortened(printable(value), 40)));
+        if (keys.size() > most_keys) fail(fmt::format("more than {} keys in an object", most_keys));
+        key_ = std::move(value);
+        return true;
+    }
+
+    bool parse_error(std::size_t, const std::string&, const Json::exception& error) override {
+        fail("not JSON: " + plain_message(error));
+    }
+
+  private:
+    /// An array or object whose end has not come.
+    struct Container {
+        Json* json;
+        std::set<std::string> keys;
+    };
+
+    bool add(Json value) {
+        place(std::move(value));
+        return true;
+    }
+
+    bool open(Json container) {
+        if (open_.size() == deepest) fail(fmt::format("nested deeper than {} levels", deepest));
+        Json& placed = place(std::move(container));
+        open_.push_back({&placed, {}});
+        return true;
+    }
+
+    bool close() {
+        open_.pop_back();
+        return true;
+    }
+
+    /// At the end of the innermost container, whose keys are known to differ.
+    Json& place(Json value) {
+        if (open_.empty()) return root_ = std::move(value);
+        Json& parent = *open_.back().json;
+        if (parent.is_array()) return parent.get_ref<Json::array_t&>().emplace_back(std::move(value));
+        return parent.get_ref<Json::object_t&>().emplace_back(std::move(key_), std::move(value)).second;
+    }
+
+    [[noreturn]] void fail(const std::string& message) const { throw UsageError(origin_ + ": " + message); }
+
+    const std::string& origin_;
+    Json root_;
+    std::string key_;  ///< of the member that comes
+    std::vector<Container> open_;
+};
 
 template <class Int>
 void decode_integer(const Json& json, const Where& where, Int& value) {
@@ -99,12 +145,9 @@ void Where::refuse(const Json& found, const std::string& allowed) const {
 }
 
 Json parse_json(std::string_view text, const std::string& origin) {
-    Guard guard(origin);
-    try {
-        return Json::parse(text, std::ref(guard));
-    } catch (const Json::exception& error) {
-        throw UsageError(origin + ": not JSON: " + plain_message(error));
-    }
+    Builder builder(origin);
+    Json::sax_parse(text, &builder);
+    return builder.take();
 }
 
 std::string read_text(const std::filesystem::path& file) {

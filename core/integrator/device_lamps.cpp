@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/integrator/camera.h"
+#include "core/integrator/placement.h"
 #include "core/scene/lamps.h"
 
 namespace ptb {
@@ -43,7 +44,8 @@ SceneLamp no_lamp() {
 
 }  // namespace
 
-void add_lamps(DeviceScene& device, const Scene& scene) {
+void add_lamps(DeviceScene& device, const Scene& file_scene) {
+    const Scene scene = seen_from(file_scene, device.origin);
     const std::vector<Lamp> lamps = lamps_of(scene);
     std::vector<double> powers;
     for (const Lamp& lamp : lamps) powers.push_back(lamp.power);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
-#include <numeric>
 
 #include "core/integrator/camera.h"
+#include "core/integrator/placement.h"
 
 namespace ptb {
 
@@ -15,8 +15,11 @@ bool camera_inside(const Scene& scene, const Sphere& sphere) {
     return length(scene.camera.position - sphere.centre) < sphere.radius;
 }
 
-SceneSphere device_sphere(const Sphere& sphere) {
-    return {device_vector(sphere.centre, dot(sphere.centre, sphere.centre) - sphere.radius * sphere.radius)};
+SceneSphere device_sphere(const Sphere& sphere, Form form) {
+    const double radius_squared = sphere.radius * sphere.radius;
+    return {device_vector(sphere.centre, form == Form::distant
+                                             ? radius_squared
+                                             : dot(sphere.centre, sphere.centre) - radius_squared)};
 }
 
 float camera_gap(const Scene& scene, const Sphere& sphere) {
@@ -52,16 +55,6 @@ SceneSurface background() {
     return surface;
 }
 
-SceneStart start(const Scene& scene, const std::vector<Sphere>& spheres, std::uint32_t side) {
-    SceneStart result{};
-    const ptb_float4 position = device_vector(scene.camera.position);
-    result.position_side = {position.x, position.y, position.z, std::bit_cast<float>(side)};
-    for (std::size_t i = 0; i < std::min<std::size_t>(spheres.size(), SCENE_FEW_MOST); ++i)
-        result.gap[i] = camera_gap(scene, spheres[i]);
-    result.distance_mask = SCENE_DISTANCE_MASK;
-    return result;
-}
-
 void note_zeros(const ptb_float4& centre, std::size_t i, std::array<std::uint32_t, 3>& zeros) {
     const float coordinates[3] = {centre.x, centre.y, centre.z};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -73,31 +66,76 @@ bool is_two_sided(const Scene& scene, const Sphere& sphere) {
            camera_inside(scene, sphere);
 }
 
+/// A sphere of the scene, and where it belongs in the device's order.
+struct Placed {
+    Sphere sphere;
+    std::size_t number;  ///< in the scene
+    Form form;
+    bool two_sided;
+
+    /// Opaque ones first; careful ones in the middle, and distant ones in the middle of these.
+    int rank() const {
+        const int care = form == Form::distant ? 2 : form == Form::vast ? 1 : 0;
+        return two_sided ? 5 - care : care;
+    }
+};
+
+std::vector<Placed> placed_spheres(const Scene& scene, const std::vector<Form>& forms) {
+    std::vector<Placed> placed;
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+        placed.push_back({scene.spheres[i], i, forms[i], is_two_sided(scene, scene.spheres[i])});
+    std::stable_sort(placed.begin(), placed.end(),
+                     [](const Placed& a, const Placed& b) { return a.rank() < b.rank(); });
+    return placed;
+}
+
+SceneStart start(const Scene& scene, const std::vector<Placed>& placed, std::uint32_t side) {
+    SceneStart result{};
+    const ptb_float4 position = device_vector(scene.camera.position);
+    result.position_side = {position.x, position.y, position.z, std::bit_cast<float>(side)};
+    for (std::size_t i = 0; i < std::min<std::size_t>(placed.size(), SCENE_FEW_MOST); ++i)
+        result.gap[i] = camera_gap(scene, placed[i].sphere);
+    result.distance_mask = SCENE_DISTANCE_MASK;
+    return result;
+}
+
+/// Spheres whose rank is within these.
+DeviceScene::Numbers numbers_of(const std::vector<Placed>& placed, int first_rank, int last_rank) {
+    const auto below = [&](int rank) {
+        return static_cast<std::uint32_t>(
+            std::partition_point(placed.begin(), placed.end(),
+                                 [&](const Placed& each) { return each.rank() < rank; }) -
+            placed.begin());
+    };
+    return {below(first_rank), below(last_rank + 1)};
+}
+
 }  // namespace
 
-DeviceScene make_device_scene(const Scene& scene) {
+DeviceScene make_device_scene(const Scene& file_scene) {
+    const Placement placement = place(file_scene);
+    const Scene scene = seen_from(file_scene, placement.origin);
+    const std::vector<Placed> placed = placed_spheres(scene, placement.forms);
     DeviceScene result;
+    result.careful = numbers_of(placed, 1, 4);
+    result.distant = numbers_of(placed, 2, 3);
+    result.opaque = numbers_of(placed, 0, 2).end;
+    result.two_sided = static_cast<std::uint32_t>(placed.size()) - result.opaque;
+    result.plain_error = placement.plain_error;
+    result.origin = placement.origin;
+    result.outer_faces.resize(placed.size());
+    for (std::uint32_t i = 0; i < placed.size(); ++i)
+        result.outer_faces[placed[i].number] =
+            i < result.opaque ? 2 * result.two_sided + i : 2 * (i - result.opaque);
     std::vector<SceneSurface> opaque;
-    std::vector<std::size_t> order(scene.spheres.size());
-    std::iota(order.begin(), order.end(), 0u);
-    const auto first_two_sided = std::stable_partition(
-        order.begin(), order.end(), [&](std::size_t i) { return !is_two_sided(scene, scene.spheres[i]); });
-    std::vector<Sphere> spheres;
-    for (const std::size_t i : order) spheres.push_back(scene.spheres[i]);
-    result.opaque = static_cast<std::uint32_t>(first_two_sided - order.begin());
-    result.two_sided = static_cast<std::uint32_t>(spheres.size()) - result.opaque;
-    result.outer_faces.resize(order.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i)
-        result.outer_faces[order[i]] = i < result.opaque ? 2 * result.two_sided + i : 2 * (i - result.opaque);
     const bool one_is_two_sided = result.two_sided == 1 && result.is_few();
     result.camera_sides.resize(std::max(1u, (result.two_sided + 31) / 32));
-    for (std::uint32_t i = 0; i < spheres.size(); ++i) {
-        const Sphere& sphere = spheres[i];
-        result.spheres.push_back(device_sphere(sphere));
-        if (i < SCENE_FEW_MOST) {
-            result.few.sphere[i] = result.spheres.back();
+    for (std::uint32_t i = 0; i < placed.size(); ++i) {
+        const Sphere& sphere = placed[i].sphere;
+        result.spheres.push_back(device_sphere(sphere, placed[i].form));
+        if (i < SCENE_FEW_MOST) result.few.sphere[i] = result.spheres.back();
+        if (i < SCENE_FEW_MOST && placed[i].form != Form::distant)
             note_zeros(result.spheres.back().centre_k, i, result.zeros);
-        }
         const Material& material = scene.materials[static_cast<std::size_t>(sphere.material)];
         if (i < result.opaque) {
             opaque.push_back(face(sphere, material, false));
@@ -111,7 +149,7 @@ DeviceScene make_device_scene(const Scene& scene) {
     }
     result.surfaces.insert(result.surfaces.end(), opaque.begin(), opaque.end());
     result.surfaces.push_back(background());
-    result.surfaces.push_back(std::bit_cast<SceneSurface>(start(scene, spheres, result.camera_sides.front())));
+    result.surfaces.push_back(std::bit_cast<SceneSurface>(start(scene, placed, result.camera_sides.front())));
     return result;
 }
 

@@ -11,8 +11,11 @@ namespace ptb {
 
 /// A scene in the order and shape that the engine's kernels want: opaque spheres that the camera is outside of
 /// first, then the two-sided ones (dielectrics, and whatever the camera is in), whose sides a path carries as
-/// bits.
+/// bits. Coordinates are those of its Placement.
 struct DeviceScene {
+    struct Numbers {
+        std::uint32_t begin = 0, end = 0;
+    };
     std::vector<SceneSphere> spheres;
     SceneFewSpheres few{};                    ///< the same spheres, up to SCENE_FEW_MOST of them
     std::vector<SceneSurface> surfaces;       ///< one a face, the background's, and the bits of a SceneStart
@@ -20,12 +23,16 @@ struct DeviceScene {
     /// Bit j from the top: the camera is inside two-sided sphere j; at least one word, see scene/scene.h.
     std::vector<std::uint32_t> camera_sides;
     std::uint32_t opaque = 0, two_sided = 0;
+    Numbers careful, distant;  ///< spheres that are not plain, and the distant ones among them
+    double plain_error = 0;    ///< see Placement
+    Vec3 origin;               ///< where the scene has the device's origin
     std::vector<std::uint32_t> outer_faces;  ///< of the scene's spheres, in its order: rows of `surfaces`
     std::vector<SceneLamp> lamps;            ///< what can be sampled of the emitters; see add_lamps
     SceneLamp lone_lamp{};                   ///< the first one
 
     std::uint64_t faces() const { return opaque + 2 * two_sided; }
     bool is_few() const { return faces() <= SCENE_FEW_MOST; }
+    bool has_careful() const { return careful.begin < careful.end; }
     std::uint64_t bytes() const {
         return spheres.size() * sizeof(SceneSphere) + surfaces.size() * sizeof(SceneSurface) +
                lamps.size() * sizeof(SceneLamp);

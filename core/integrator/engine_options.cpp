@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/integrator/film.h"
+#include "core/integrator/placement.h"
 #include "core/integrator/device_lamps.h"
 #include "core/integrator/variant_support.h"
 
@@ -65,6 +66,12 @@ std::string memory_refusal(const Integrator& row, const ocl::Device& device, con
     return "";
 }
 
+/// Whether a path may carry every sphere's gap: each move adds an error of its own, as in a random walk.
+bool carries_gaps(const DeviceScene& scene, int path_length) {
+    return scene.is_few() && !scene.has_careful() &&
+           scene.plain_error * std::sqrt(path_length) <= bearable_error;
+}
+
 /// The kernel divides by products, which are exact up to here.
 constexpr std::uint32_t most_rows = (1u << 22) - 1;
 
@@ -119,7 +126,12 @@ std::string engine_options(const Integrator& row, const ocl::Device& device, con
     if (ocl::bounds_loops(device.info)) text += " -DENGINE_BOUNDED";
     if (glows(scene)) text += " -DSCENE_GLOWS";
     if (lone_on_gpu) text += " -DENGINE_BATCH=6";
-    if (lone_on_gpu && device_scene.is_few()) text += " -DSCENE_CARRIED";
+    if (lone_on_gpu && carries_gaps(device_scene, job.path_length)) text += " -DSCENE_CARRIED";
+    if (device_scene.has_careful())
+        text += fmt::format(
+            " -DSCENE_CAREFUL_BEGIN={}u -DSCENE_CAREFUL_END={}u -DSCENE_DISTANT_BEGIN={}u -DSCENE_DISTANT_END={}u",
+            device_scene.careful.begin, device_scene.careful.end, device_scene.distant.begin,
+            device_scene.distant.end);
     if (job.variant.pixel_filter != PixelFilter::jitter)
         text += fmt::format(" -DENGINE_FILTER={}",
                             job.variant.pixel_filter == PixelFilter::centre ? ENGINE_CENTRE : ENGINE_STRATIFIED);

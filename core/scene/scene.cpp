@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -150,29 +152,69 @@ std::vector<Material> read_materials(const Node& node) {
     return materials;
 }
 
-int material_index(const Node& node, const std::vector<Material>& materials) {
-    const std::string name = read_text(node, "the name of a material");
-    std::vector<std::string> names;
-    for (const Material& material : materials) names.push_back(material.name);
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) {
-        node.refuse(fmt::format("one of the scene's materials: {}",
-                                shortened(printable(fmt::format("{}", fmt::join(names, ", "))), 500)));
-    }
-    return static_cast<int>(found - names.begin());
+/// The scene's materials by name.
+using MaterialIndex = std::map<std::string, int>;
+
+MaterialIndex index_of(const std::vector<Material>& materials) {
+    MaterialIndex index;
+    for (const Material& material : materials) index.emplace(material.name, static_cast<int>(index.size()));
+    return index;
 }
 
-Sphere read_sphere(const Node& node, const std::vector<Material>& materials) {
-    allow_only(node.json, node.where, {"centre", "radius", "material"});
-    return {read_vec3(node.at("centre"), coordinate_range), read_number(node.at("radius"), radius_range),
-            material_index(node.at("material"), materials)};
+[[noreturn]] void refuse_material(const Node& node, const std::vector<Material>& materials) {
+    std::vector<std::string> names;
+    for (const Material& material : materials) names.push_back(material.name);
+    node.refuse(fmt::format("one of the scene's materials: {}",
+                            shortened(printable(fmt::format("{}", fmt::join(names, ", "))), 500)));
 }
+
+int read_material_name(const Node& node, const std::vector<Material>& materials, const MaterialIndex& index) {
+    const auto found = index.find(read_text(node, "the name of a material"));
+    if (found == index.end()) refuse_material(node, materials);
+    return found->second;
+}
+
+/// Refuses spheres in the same place where it would matter which of them a path meets first.
+class Twins {
+  public:
+    explicit Twins(const std::vector<Material>& materials) : materials_(materials) {}
+
+    void add(const Sphere& sphere, std::size_t number, const Where& where) {
+        const Vec3& c = sphere.centre;
+        const auto [first, is_new] =
+            seen_.emplace(std::tuple(c.x, c.y, c.z, sphere.radius), Seen{number, sphere.material});
+        if (is_new || (first->second.material == sphere.material && !is_dielectric(sphere))) return;
+        where.fail(fmt::format(
+            "spheres {} and {} are the same; allowed: twice the same of one material that is no dielectric",
+            first->second.number, number));
+    }
+
+  private:
+    struct Seen {
+        std::size_t number;
+        int material;
+    };
+    bool is_dielectric(const Sphere& sphere) const {
+        return materials_[static_cast<std::size_t>(sphere.material)].type == MaterialType::dielectric;
+    }
+
+    const std::vector<Material>& materials_;
+    std::map<std::tuple<double, double, double, double>, Seen> seen_;
+};
 
 std::vector<Sphere> read_spheres(const Node& node, const std::vector<Material>& materials) {
     std::vector<Sphere> spheres;
     if (!node.json.is_array() || node.json.empty()) node.refuse("a list of at least one sphere");
-    for (std::size_t i = 0; i < node.json.size(); ++i)
-        spheres.push_back(read_sphere({node.json[i], Where(node.where, i)}, materials));
+    const MaterialIndex index = index_of(materials);
+    Twins twins(materials);
+    for (std::size_t i = 0; i < node.json.size(); ++i) {
+        const Node sphere{node.json[i], Where(node.where, i)};
+        allow_only(sphere.json, sphere.where, {"centre", "radius", "material"});
+        spheres.push_back({read_vec3(sphere.at("centre"), coordinate_range),
+                           read_number(sphere.at("radius"), radius_range),
+                           read_material_name(sphere.at("material"), materials, index)});
+        twins.add(spheres.back(), i, sphere.where);
+    }
     return spheres;
 }
 

@@ -68,7 +68,20 @@ static inline lanes_u hit_face(const Hit* hit) { return hit->number; }
 
    SCENE_CARRIED, for few spheres and one ray a work-item: a path carries every sphere's gap in a register. It starts as
    rounded from double on the host, and a move by t along d adds t (2 b - t).
-   Otherwise gap = 2 o.c - o.o - k, where k = |c|^2 - r^2, rounded from double, and all terms are twenty times smaller. */
+   Otherwise gap = 2 o.c - o.o - k, where k = |c|^2 - r^2, rounded from double, and all terms are twenty times smaller.
+
+   The host puts the origin where that errs least, and bounds the error (core/integrator/placement.h). Spheres for which it
+   is too large lie together, SCENE_CAREFUL_BEGIN to SCENE_CAREFUL_END; no path carries gaps where there are any. Distant ones,
+   so far from the origin for their size that the gap has no digits left, are SCENE_DISTANT_BEGIN to SCENE_DISTANT_END of these;
+   the others are vast: their gap is right, but the distance drowns as the small difference of b and the root. */
+#ifdef SCENE_CAREFUL_BEGIN
+static inline bool is_distant(uint i) { return i - SCENE_DISTANT_BEGIN < SCENE_DISTANT_END - SCENE_DISTANT_BEGIN; }
+static inline bool is_vast(uint i) { return i - SCENE_CAREFUL_BEGIN < SCENE_CAREFUL_END - SCENE_CAREFUL_BEGIN && !is_distant(i); }
+#else
+static inline bool is_distant(uint i) { return (void)i, false; }
+static inline bool is_vast(uint i) { return (void)i, false; }
+#endif
+
 typedef struct Line {
     Vec direction;
     lanes_f minus_od;
@@ -105,21 +118,41 @@ static inline lanes_f dot_centre(float4 centre, uint i, Vec a, lanes_f more) {
 }
 
 typedef struct Quadratic {
-    lanes_f b, d; /* distance = b -+ sqrt(d) */
+    lanes_f b, d, gap; /* distance = b -+ sqrt(d), and the product of both is -gap */
 } Quadratic;
+
+/* Of a distant sphere, whose w is radius^2: by way of the line's point nearest to the centre, see "Precision Improvements
+   for Ray/Sphere Intersection", by E. Haines, J. Guenther and T. Akenine-Moeller. */
+static inline Quadratic quadratic_of_distant(float4 centre_rr, const Ray* ray) {
+    const Vec to_centre = vec_sub(vec_of(centre_rr), ray->origin);
+    Quadratic e;
+    e.b = vec_dot(to_centre, ray->direction);
+    const Vec nearest = vec_add_scaled(to_centre, ray->direction, -e.b);
+    e.d = centre_rr.w - vec_dot(nearest, nearest);
+    e.gap = (lanes_f)(0.0f); /* asked of vast ones only */
+    return e;
+}
 
 /* Of sphere number i. */
 static inline Quadratic quadratic_of(float4 centre_k, uint i, const Line* line, const Ray* ray, Hit* hit) {
+    if (is_distant(i)) return quadratic_of_distant(centre_k, ray);
     Quadratic e;
     e.b = dot_centre(centre_k, i, line->direction, line->minus_od);
 #ifdef SCENE_CARRIED
-    e.d = e.b * e.b + ray->gap[i];
+    e.gap = ray->gap[i];
     hit->half_linear[i] = e.b;
 #else
     (void)ray, (void)hit;
-    e.d = e.b * e.b + dot_centre(centre_k, i, line->twice_origin, line->minus_oo - centre_k.w);
+    e.gap = dot_centre(centre_k, i, line->twice_origin, line->minus_oo - centre_k.w);
 #endif
+    e.d = e.b * e.b + e.gap;
     return e;
+}
+
+/* b + root, a root of either sign. Of a vast sphere, where they cancel, by the product with the other distance. */
+static inline lanes_f distance_by(Quadratic e, lanes_f root, uint i) {
+    if (!is_vast(i)) return e.b + root;
+    return lanes_select(e.b + root, e.gap / (root - e.b), e.b * root < 0.0f);
 }
 
 ALWAYS_INLINE void offer_opaque(Hit* hit, Scene scene, const Line* line, const Ray* ray) {
@@ -127,7 +160,7 @@ ALWAYS_INLINE void offer_opaque(Hit* hit, Scene scene, const Line* line, const R
     for (uint i = 0; i < scene.opaque; ++i) {
         const Quadratic e = quadratic_of(scene.spheres[i].centre_k, i, line, ray, hit);
         const lanes_f root = i % 2u == 1u ? lanes_sqrt_beside(e.d) : lanes_sqrt(e.d);
-        hit_offer(hit, e.b - root, (lanes_u)(opaque_face(scene, i)), scene.distance_mask);
+        hit_offer(hit, distance_by(e, -root, i), (lanes_u)(opaque_face(scene, i)), scene.distance_mask);
     }
 }
 
@@ -138,7 +171,7 @@ ALWAYS_INLINE void offer_two_sided(Hit* hit, Scene scene, const Line* line, cons
         /* inside |d|, and the greater distance */
         const lanes_u side = side_of(scene, inside, i - scene.opaque), in = side_sign(scene, side);
         const lanes_f root = lanes_sqrt(lanes_as_f(lanes_as_u(e.d) & ~in));
-        const lanes_f distance = e.b + lanes_as_f(lanes_as_u(root) ^ in ^ LANES_SIGN);
+        const lanes_f distance = distance_by(e, lanes_as_f(lanes_as_u(root) ^ in ^ LANES_SIGN), i);
         hit_offer(hit, distance, two_sided_face(scene, i - scene.opaque, side), scene.distance_mask);
     }
 }
@@ -158,12 +191,15 @@ ALWAYS_INLINE Hit nearest_hit(Scene scene, const Ray* ray, const Sides* inside) 
 }
 
 /* Whether sphere number i is met from outside before `distance`, or left from inside. No root is needed: those of
-   t^2 - 2 b t - gap are at b -+ sqrt(d). */
-static inline lanes_mask meets_before(Quadratic e, lanes_f distance) {
+   t (t - 2 b) - gap are at b -+ sqrt(d). */
+static inline lanes_mask meets_before(Quadratic e, lanes_f distance, uint i) {
     const lanes_f beyond = lanes_max(e.b - distance, (lanes_f)(0.0f));
-    return (e.b > 0.0f) & (e.d > beyond * beyond);
+    if (!is_vast(i)) return (e.b > 0.0f) & (e.d > beyond * beyond);
+    const lanes_mask within = distance * (distance - 2.0f * e.b) < e.gap, behind = distance > e.b;
+    return (e.b > 0.0f) & (e.d > 0.0f) & (within | behind);
 }
-static inline lanes_mask leaves_before(Quadratic e, lanes_f distance) {
+static inline lanes_mask leaves_before(Quadratic e, lanes_f distance, uint i) {
+    if (is_vast(i)) return distance * (distance - 2.0f * e.b) > e.gap;
     const lanes_f beyond = distance - e.b;
     return (beyond > 0.0f) & (beyond * beyond > e.d);
 }
@@ -177,14 +213,14 @@ ALWAYS_INLINE lanes_mask sees(Scene scene, const Ray* ray, const Sides* inside, 
     HIT_LOOP
     for (uint i = 0; i < scene.opaque; ++i) {
         const Quadratic e = quadratic_of(scene.spheres[i].centre_k, i, &line, ray, &unused);
-        const lanes_mask meets = meets_before(e, distance), other = target != opaque_face(scene, i);
+        const lanes_mask meets = meets_before(e, distance, i), other = target != opaque_face(scene, i);
         blocked |= meets & other;
     }
     HIT_LOOP
     for (uint i = scene.opaque; i < scene.count; ++i) {
         const Quadratic e = quadratic_of(scene.spheres[i].centre_k, i, &line, ray, &unused);
         const lanes_mask in = lanes_as_i(side_sign(scene, side_of(scene, inside, i - scene.opaque))) < 0;
-        const lanes_mask meets = meets_before(e, distance), leaves = leaves_before(e, distance);
+        const lanes_mask meets = meets_before(e, distance, i), leaves = leaves_before(e, distance, i);
         const lanes_mask other = target != 2u * (i - scene.opaque);
         blocked |= ((in & leaves) | (!in & meets)) & other;
     }

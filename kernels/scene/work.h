@@ -32,7 +32,7 @@
 #endif
 
 /* scene/hit.h: what a ray prepares; what a sphere costs, the move to the hit included where it carries gaps; what the zeros
-   of centres save. */
+   of centres save; what distant and vast spheres cost more. */
 #define SCENE_ZEROS (popcount(SCENE_ZERO_X) + popcount(SCENE_ZERO_Y) + popcount(SCENE_ZERO_Z))
 #ifdef SCENE_CARRIED
 #define SCENE_LINE_FLOPS 5u
@@ -43,6 +43,15 @@
 #define SCENE_TEST_FLOPS (6u + 9u + 1u)
 #define SCENE_SAVED_FLOPS (4u * SCENE_ZEROS)
 #endif
+
+#ifdef SCENE_CAREFUL_BEGIN
+#define SCENE_DISTANT_ONES (SCENE_DISTANT_END - SCENE_DISTANT_BEGIN)
+#define SCENE_VAST_ONES (SCENE_CAREFUL_END - SCENE_CAREFUL_BEGIN - SCENE_DISTANT_ONES)
+#else
+#define SCENE_DISTANT_ONES 0u
+#define SCENE_VAST_ONES 0u
+#endif
+#define SCENE_CARE_FLOPS (5u * SCENE_DISTANT_ONES + 2u * SCENE_VAST_ONES)
 
 /* scene/scatter.h but for refraction: the move, from the centre, along, the normal's share and the sum. */
 #define SCENE_SCATTER_FLOPS (6u + 3u + 5u + 2u + 6u)
@@ -56,10 +65,10 @@
 
 /* A segment, throughput too, and the numbers of its surface. */
 #define SCENE_SEGMENT_WORK(scene)                                                                                     \
-    (SCENE_LINE_FLOPS + (scene).count * SCENE_TEST_FLOPS + SCENE_ESTIMATES(scene) * 6u - SCENE_SAVED_FLOPS + \
-     3u + SCENE_SCATTER_FLOPS + SCENE_SPHERE_FLOPS + SCENE_NORMALIZE_FLOPS),                                                \
-        ((scene).count - SCENE_ESTIMATES(scene) + SCENE_SPHERE_ROOTS + SCENE_RSQRT_ROOTS), SCENE_RSQRT_DIVISIONS,              \
-        SCENE_SURFACE_BYTES(48u)
+    (SCENE_LINE_FLOPS + (scene).count * SCENE_TEST_FLOPS + SCENE_ESTIMATES(scene) * 6u + SCENE_CARE_FLOPS -           \
+     SCENE_SAVED_FLOPS + 3u + SCENE_SCATTER_FLOPS + SCENE_SPHERE_FLOPS + SCENE_NORMALIZE_FLOPS),                      \
+        ((scene).count - SCENE_ESTIMATES(scene) + SCENE_SPHERE_ROOTS + SCENE_RSQRT_ROOTS),                            \
+        (SCENE_RSQRT_DIVISIONS + SCENE_VAST_ONES), SCENE_SURFACE_BYTES(48u)
 /* The spheres, which all lanes of a work-item share. */
 #define SCENE_STEP_WORK(spheres) 0u, 0u, 0u, (spheres) * SCENE_SPHERE_BYTES
 /* Refraction, which every ray works out in scenes with two-sided spheres. */
@@ -76,7 +85,7 @@
 #define SCENE_SEES_FLOPS (6u + 7u + 2u + 2u)
 #endif
 #define SCENE_SHADOW_WORK(scene)                                                                                        \
-    (SCENE_LINE_FLOPS + (scene).count * SCENE_SEES_FLOPS + two_sided_spheres(scene) * 2u - SCENE_SAVED_FLOPS), 0u, 0u, 0u
+    (SCENE_LINE_FLOPS + (scene).count * SCENE_SEES_FLOPS + two_sided_spheres(scene) * 2u + 5u * SCENE_DISTANT_ONES - SCENE_SAVED_FLOPS), 0u, 0u, 0u
 
 /* scene/lamps.h: a direction of a cone, */
 #define LAMP_CONE_FLOPS (4u + (SCENE_SPHERE_FLOPS - 3u) + 29u + SCENE_RSQRT_FLOPS)

@@ -6,7 +6,8 @@
 
 /* A sphere as the intersection wants it. */
 typedef struct SceneSphere {
-    ptb_float4 centre_k; /* xyz: centre; w: |centre|^2 - radius^2, rounded once from double */
+    ptb_float4 centre_k; /* xyz: centre; w: |centre|^2 - radius^2, or radius^2 of a distant one: see scene/hit.h; all
+                            rounded once from double, from an origin of the device's own */
 } SceneSphere;
 PTB_ASSERT_SIZE(SceneSphere, 16);
 

@@ -24,6 +24,7 @@ check() { # FILE OPTIONS...
     fi
 }
 
+careful=(-DSCENE_CAREFUL_BEGIN=1u -DSCENE_CAREFUL_END=4u -DSCENE_DISTANT_BEGIN=2u -DSCENE_DISTANT_END=3u)
 few=(-DSCENE_LONE_LAMP=2 -DSCENE_FEW=9 -DSCENE_OPAQUE=8 -DSCENE_ZERO_X=0x3c -DSCENE_ZERO_Y=0x13 -DSCENE_ZERO_Z=0xf)
 while IFS= read -r kernel; do
     for lanes in 1 4 8 16 32; do
@@ -32,6 +33,8 @@ while IFS= read -r kernel; do
         check "$kernel" "${portable[@]}" -DSCENE_GLOWS -DENGINE_BOUNDED -DSCENE_LONE_LAMP=1
         check "$kernel" "${portable[@]}" -DSCENE_FEW=4 -DSCENE_OPAQUE=2 -DSCENE_MANY_LAMPS -DENGINE_ROULETTE
         check "$kernel" "${portable[@]}" -DSCENE_SIDE_WORDS=3 -DSCENE_SPHERES=2 -DSCENE_SURFACES=2 -DSCENE_GLOWS -DSCENE_MANY_LAMPS -DPTB_COUNT -DENGINE_ROULETTE
+        check "$kernel" "${portable[@]}" -DSCENE_FEW=4 -DSCENE_OPAQUE=2 -DSCENE_LONE_LAMP=2 "${careful[@]}"
+        check "$kernel" "${portable[@]}" -DSCENE_MANY_LAMPS "${careful[@]}" -DPTB_COUNT
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_PORTABLE
         check "$kernel" "${portable[@]}" -DSCENE_SIDE_WORDS=3 -DSCENE_SPHERES=2 -DSCENE_SURFACES=2 -DENGINE_FILTER=1 -DSCENE_MANY_LAMPS
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_STRICT -DSCENE_SPHERES=4 -DSCENE_SURFACES=4 -DPTB_PARK_MILLER

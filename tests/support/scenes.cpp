@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <random>
 
 namespace ptb {
@@ -110,6 +111,67 @@ Scene mixed_balls(int count) {
         const double x = place(i % edge), y = place(i / edge % edge), z = place(i / edge / edge);
         scene.spheres.push_back({{x, y, z}, radius, 1 + i % 5});
     }
+    return scene;
+}
+
+Scene random_balls(unsigned seed, bool camera_in_glass) {
+    Scene scene{"random_balls", {}, {}, {}};
+    scene.materials = {dome({0.3, 0.4, 0.5}, {0.4, 0.3, 0.2}), matte({0.8, 0.4, 0.3}), glass(1.5),
+                       mirror({0.8, 0.9, 0.7}), light({4, 3, 2})};
+    std::mt19937 random(seed);
+    const auto uniform = [&](double least, double most) {
+        return least + (most - least) * static_cast<double>(random()) / 4294967296.0;
+    };
+    scene.camera = {{uniform(-2, 2), uniform(-2, 2), -14}, {0, 0, 0}, {0, 1, 0}, 40};
+    scene.spheres = {{{0, 0, 0}, uniform(20, 40), 0}, {scene.camera.position, uniform(1, 2), 2}};
+    if (!camera_in_glass) scene.spheres.pop_back();
+    for (int i = 0; i < 8; ++i)  // in eight rooms of edge 5
+        scene.spheres.push_back(
+            {{i % 2 * 5 - uniform(2, 3), i / 2 % 2 * 5 - uniform(2, 3), i / 4 * 5 - uniform(2, 3)},
+             uniform(0.5, 2),
+             1 + i % 4});
+    return scene;
+}
+
+Scene moved(const Scene& scene, double scale, const Vec3& by) {
+    Scene result = scene;
+    for (Vec3* point : {&result.camera.position, &result.camera.look_at}) *point = *point * scale + by;
+    for (Sphere& sphere : result.spheres) {
+        sphere.centre = sphere.centre * scale + by;
+        sphere.radius *= scale;
+    }
+    return result;
+}
+
+Scene balls_far_apart(double distance) {
+    Scene scene{"balls_far_apart", {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 0}, {}, {}};
+    scene.camera.fov_deg = 2 * std::atan(4 / distance) * 180 / std::numbers::pi;
+    scene.materials = {light({0.5, 0.6, 0.7}), matte({0.8, 0.4, 0.3}), glass(1.5), mirror({0.8, 0.9, 0.7}),
+                       light({4, 3, 2})};
+    scene.spheres = {{{0, 0, 0}, 20 * distance, 0}, {{0, 2, 1}, 1, 1},
+                     {{1, 1, distance}, 1, 1},      {{-1.2, 1, distance}, 1, 2},
+                     {{0, -1, distance}, 1, 3},     {{2.5, -1, distance - 1}, 0.5, 4}};
+    return scene;
+}
+
+Scene balls_at_a_wall(double radius, const std::string& wall) {
+    Scene scene{"balls_at_a_wall", {{0, 4, -9}, {0, 0.5, 0}, {0, 1, 0}, 40}, {}, {}};
+    scene.materials = {light({0.5, 0.6, 0.7}),
+                       matte({0.8, 0.4, 0.3}),
+                       glass(1.5),
+                       mirror({0.8, 0.9, 0.7}),
+                       light({4, 3, 2}),
+                       dome({0.2, 0.2, 0.2}, {0.6, 0.6, 0.6}),
+                       glass(1.33)};
+    const bool is_room = wall == "room", is_water = wall == "water";
+    scene.spheres = {{{0, 0, 0}, 10 * radius, 0},
+                     {{-2.2, 1, 0}, 1, 1},
+                     {{0, 1, 1}, 1, 2},
+                     {{2.2, 1, 0}, 1, 3},
+                     {{0, 7, 4}, 1, 4}};
+    if (is_water)
+        for (Sphere& ball : scene.spheres) ball.centre.y -= ball.material == 4 ? 0 : 3;
+    scene.spheres.push_back({{0, is_room ? radius : -radius, 0}, radius, is_room ? 5 : is_water ? 6 : 1});
     return scene;
 }
 

@@ -22,4 +22,18 @@ Scene glass_balls(int count);
 /// dome.
 Scene mixed_balls(int count);
 
+/// Balls of all materials, none of which cuts another, in a dim dome; the camera is among them, or in a glass
+/// one.
+Scene random_balls(unsigned seed, bool camera_in_glass);
+
+/// The same scene in another unit of length and from another origin.
+Scene moved(const Scene& scene, double scale, const Vec3& by);
+
+/// Balls before a bright sky, `distance` from the camera and from one more ball, which it does not see.
+Scene balls_far_apart(double distance);
+
+/// Balls of radius 1 at a wall of this radius that is flat to the eye, under a lamp, before a bright sky: the
+/// wall is matte, or the surface of water that they lie under, or the room itself.
+Scene balls_at_a_wall(double radius, const std::string& wall);
+
 }  // namespace ptb

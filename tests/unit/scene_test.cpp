@@ -148,6 +148,27 @@ TEST(Scene, a_scene_without_spheres_is_refused) {
                 HasSubstr("/spheres: found []; allowed: a list of at least one"));
 }
 
+TEST(Scene, spheres_in_the_same_place_are_refused_where_it_matters_which_is_met_first) {
+    const auto twin_of = [](const char* first, const char* second) {
+        json scene = good_scene();
+        scene["spheres"] = {{{"centre", {0, 0, 0}}, {"radius", 9}, {"material", "grey"}},
+                            {{"centre", {0, 2, 0}}, {"radius", 1}, {"material", first}},
+                            {{"centre", {-0.0, 2, 0}}, {"radius", 1}, {"material", second}}};
+        return error_of_text(scene.dump());
+    };
+    EXPECT_EQ(twin_of("glass", "glass"),
+              "scene.json: /spheres/2: spheres 1 and 2 are the same; allowed: twice the same of one material "
+              "that is no dielectric");
+    for (const char* other : {"grey", "lamp", "metal"}) {
+        EXPECT_THAT(twin_of("glass", other), HasSubstr("/spheres/2: ")) << other;
+        EXPECT_THAT(twin_of(other, "glow"), HasSubstr("/spheres/2: ")) << other;
+        EXPECT_EQ(twin_of(other, other), "no error") << "no path can tell";
+    }
+    EXPECT_EQ(error_with("/spheres/1", {{"centre", {0, 0, 0}}, {"radius", 1.5}, {"material", "glass"}}),
+              "no error")
+        << "a shell is no twin";
+}
+
 TEST(Scene, a_camera_that_sees_nothing_is_refused) {
     EXPECT_THAT(error_with("/camera/look_at", {0, 0, -5}), HasSubstr("/camera/look_at: "));
     EXPECT_THAT(error_with("/camera/up", {0, 0, 3}), HasSubstr("/camera/up: found an array"));
@@ -173,6 +194,9 @@ TEST(Scene, hostile_nesting_is_refused_and_does_not_crash) {
     std::string objects;
     for (int i = 0; i < 100'000; ++i) objects += "{\"a\":";
     EXPECT_THAT(error_of_text(objects), HasSubstr("nested deeper than 64"));
+    const auto lists = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
+    EXPECT_THAT(error_of_text(lists(64)), HasSubstr("found an array"));
+    EXPECT_THAT(error_of_text(lists(65)), HasSubstr("nested deeper than 64"));
 }
 
 TEST(Scene, a_key_given_twice_is_refused) {

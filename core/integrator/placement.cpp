@@ -1,0 +1,125 @@
+#include "core/integrator/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ptb {
+
+namespace {
+
+constexpr double rounding = 0x1p-24;  ///< of a number in single precision, at most, as a share of it
+
+/// A sphere from a point that may become the origin. All lengths.
+struct Seen {
+    double distance;  ///< of the centre
+    double radius;
+    double reach;  ///< most that rays which matter start from the origin
+};
+
+/// What the gap's terms, as kernels/scene/hit.h has them, do to a distance.
+double gap_error(const Seen& s) {
+    const double k = (s.distance - s.radius) * (s.distance + s.radius);
+    return rounding * (s.reach * (2 * s.distance + s.reach) + std::abs(k)) / (2 * s.radius);
+}
+
+/// Bounds of a distance's error in each form.
+double error_of(Form form, const Seen& s) {
+    switch (form) {
+        case Form::plain:
+            return gap_error(s) + rounding * (s.distance + s.radius);
+        case Form::vast:
+            return gap_error(s) + rounding * s.reach;
+        case Form::distant:
+            break;
+    }
+    return 2 * rounding * (s.distance + s.radius + s.reach);
+}
+
+Form best_form(const Seen& s, double bearable) {
+    if (error_of(Form::plain, s) <= bearable) return Form::plain;
+    return error_of(Form::vast, s) <= error_of(Form::distant, s) ? Form::vast : Form::distant;
+}
+
+/// From a point to the surface.
+double clearance(const Sphere& sphere, const Vec3& point) {
+    return std::abs(length(sphere.centre - point) - sphere.radius);
+}
+
+/// The smallest ball, or how near the camera is to a surface.
+double finest_detail(const Scene& scene) {
+    double finest = std::numeric_limits<double>::infinity();
+    for (const Sphere& sphere : scene.spheres)
+        finest = std::min({finest, sphere.radius, clearance(sphere, scene.camera.position)});
+    return finest;
+}
+
+/// Rays start at the camera and at spheres that scatter. Of these the part that is near matters: a sphere is
+/// hardly ever hit from where it looks small.
+double reach_from(const Scene& scene, const Vec3& origin) {
+    double reach = length(scene.camera.position - origin);
+    for (const Sphere& sphere : scene.spheres)
+        if (scene.materials[static_cast<std::size_t>(sphere.material)].scatters)
+            reach = std::max(reach, clearance(sphere, origin));
+    return reach;
+}
+
+struct Candidate {
+    Placement placement;
+    double error = 0;  ///< sum over the spheres, each in its form
+};
+
+Candidate candidate_at(const Scene& scene, const Vec3& origin, double detail) {
+    const double reach = reach_from(scene, origin);
+    Candidate result{{origin, {}, 0}, 0};
+    for (const Sphere& sphere : scene.spheres) {
+        const Seen seen{length(sphere.centre - origin), sphere.radius, reach};
+        const Form form = best_form(seen, bearable_error * detail);
+        const double error = error_of(form, seen);
+        result.placement.forms.push_back(form);
+        result.error += error;
+        if (form == Form::plain)
+            result.placement.plain_error = std::max(result.placement.plain_error, error / detail);
+    }
+    return result;
+}
+
+bool all_plain(const Placement& placement) {
+    return std::all_of(placement.forms.begin(), placement.forms.end(),
+                       [](Form form) { return form == Form::plain; });
+}
+
+/// The point that has the least sum of (distance / radius)^2, which is what small spheres' errors grow with.
+Vec3 middle(const Scene& scene) {
+    Vec3 sum;
+    double weights = 0;
+    for (const Sphere& sphere : scene.spheres) {
+        const double weight = 1 / (sphere.radius * sphere.radius);
+        sum = sum + weight * (sphere.centre - scene.camera.position);
+        weights += weight;
+    }
+    return scene.camera.position + sum * (1 / weights);
+}
+
+}  // namespace
+
+Placement place(const Scene& scene) {
+    const double detail = finest_detail(scene);
+    Candidate best = candidate_at(scene, {}, detail);
+    if (all_plain(best.placement)) return best.placement;
+    for (const Vec3& origin : {scene.camera.position, middle(scene)}) {
+        Candidate other = candidate_at(scene, origin, detail);
+        if (other.error < best.error) best = std::move(other);
+    }
+    return best.placement;
+}
+
+Scene seen_from(Scene scene, const Vec3& origin) {
+    scene.camera.position = scene.camera.position - origin;
+    scene.camera.look_at = scene.camera.look_at - origin;
+    for (Sphere& sphere : scene.spheres) sphere.centre = sphere.centre - origin;
+    return scene;
+}
+
+}  // namespace ptb
