@@ -2,16 +2,18 @@
    starts the next sample at once (path regeneration), and a lane whose unit of samples is done takes the next unit from
    one queue, so lanes stay busy whatever the work-group. A unit's sums depend on its number alone and are added to the
    film in the order of their numbers by a second kernel: no bit of the image depends on the launch. */
+#include "lib/outlined.h"
 #include "pt/scatter.h"
 #include "pt/unit.h"
 #include "pt/work.h"
 
-/* PoCL stores every variable of a kernel's loop to memory at each turn, but not those of a function that it may not
-   inline: 10.3 -> 11.7 Msamples/s (two AVX-512 cores). One that reads local memory it compiles to a crash (PoCL 3.1). */
+/* One lane a work-item keeps its loop in the kernel. A function that reads local memory PoCL compiles to a crash (3.1). */
 #if PTB_LANES > 1 && PT_SPHERES != PT_IN_LOCAL && PT_SURFACES != PT_IN_LOCAL
-#define PT_OUTLINE static __attribute__((noinline))
+#define PT_OUTLINE OUTLINED
+#define PT_STAY_OUTLINED STAY_OUTLINED
 #else
 #define PT_OUTLINE static inline
+#define PT_STAY_OUTLINED (void)0
 #endif
 
 /* Segments that a lone lane traces before it looks after its paths' ends. On GPUs the lanes of a warp end one by one, and
@@ -23,6 +25,7 @@
 PT_OUTLINE void trace_units(__global PtTally* tallies, __global uint* queue, PT_SPHERE_SPACE const PtSphere* spheres,
                             PT_SURFACE_SPACE const PtSurface* surface_rows, __global const uint* camera_sides,
                             __global const uint* run_starts, PtLaunch launch COUNTED_PARAMETER) {
+    PT_STAY_OUTLINED;
 #ifdef PT_FEW
     const uint opaque = PT_OPAQUE, count = PT_FEW;
 #else

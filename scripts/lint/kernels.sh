@@ -37,7 +37,7 @@ while IFS= read -r kernel; do
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_STRICT -DPT_SPHERES=4 -DPT_SURFACES=4 -DPTB_PARK_MILLER
         check "$kernel" "${portable[@]}" -DPT_SPHERES=3 -DPT_SURFACES=3 -DPT_COUNT=40 -DPT_FACES=45 -DPT_FILTER=2
         # With these the tables become register permutes: for PoCL's compiler and for Intel's.
-        x86='-target x86_64-unknown-linux-gnu'
+        x86='-target x86_64-unknown-linux-gnu -DPOCL_DEVICE_ADDRESS_BITS=64'
         for machine in "$x86 -mavx512f -mavx512vl -DPTB_WIDTH=16" "$x86 -mavx2 -mfma -DPTB_WIDTH=8" \
             '-target spir64 -D__INTEL_LLVM_COMPILER -DPTB_WIDTH=16' '-target spir64 -D__INTEL_LLVM_COMPILER -DPTB_WIDTH=8'; do
             # shellcheck disable=SC2086 # several words
