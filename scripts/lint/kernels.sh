@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 clang=''
-for name in clang-14 clang clang-19 clang-18 clang-17 clang-16 clang-15 clang-13; do
+for name in clang clang-{21..13}; do
     if command -v "$name" >/dev/null; then clang=$name && break; fi
 done
 if [ -z "$clang" ]; then
