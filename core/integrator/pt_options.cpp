@@ -116,6 +116,7 @@ std::string pt_options(const ocl::Device& device, const Scene& scene, const Rend
     if (job.variant.pixel_filter != PixelFilter::jitter)
         text += fmt::format(" -DPT_FILTER={}",
                             job.variant.pixel_filter == PixelFilter::centre ? PT_CENTRE : PT_STRATIFIED);
+    if (job.variant.film_memory == FilmMemory::image) text += " -DPT_IMAGE_FILM";
     if (job.variant.rng == Rng::park_miller) text += " -DPTB_PARK_MILLER";
     return text;
 }

@@ -154,7 +154,7 @@ __kernel void pt_add(__global PtTally* film, __global const PtTally* tallies, co
     COUNTED_END
 }
 
-#ifdef __IMAGE_SUPPORT__
+#ifdef PT_IMAGE_FILM
 
 /* The same for a film in an image, of which the launch may have traced a part: the sums go to another image. */
 __kernel void pt_add_to_image(__read_only image2d_t film, __write_only image2d_t sums, __global const PtTally* tallies,

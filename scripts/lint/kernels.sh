@@ -30,8 +30,8 @@ while IFS= read -r kernel; do
         if [[ $lanes -eq 32 && $kernel == */peaks.cl ]]; then continue; fi # it needs built-ins, which end at 16
         portable=(-target spir64 "-DPTB_LANES=$lanes")
         check "$kernel" "${portable[@]}" -DPT_GLOWS -DPT_BOUNDED
-        check "$kernel" "${portable[@]}" -DPT_FEW=4 -DPT_OPAQUE=2
-        check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3 -DPT_SPHERES=2 -DPT_SURFACES=2 -DPT_GLOWS -DPTB_COUNT
+        check "$kernel" "${portable[@]}" -DPT_FEW=4 -DPT_OPAQUE=2 -DPT_IMAGE_FILM
+        check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3 -DPT_SPHERES=2 -DPT_SURFACES=2 -DPT_GLOWS -DPT_IMAGE_FILM -DPTB_COUNT
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_PORTABLE
         check "$kernel" "${portable[@]}" -DPT_SIDE_WORDS=3 -DPT_SPHERES=2 -DPT_SURFACES=2 -DPT_FILTER=1
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_STRICT -DPT_SPHERES=4 -DPT_SURFACES=4 -DPTB_PARK_MILLER
