@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Fuzzes the readers of text that nobody vouches for, one after the other: scripts/fuzz.sh [seconds each] [target...]
-# Needs clang-14 with libclang-rt-14-dev. What it finds lies in build/fuzz/found/ and fails the script; what it reaches
+# Needs clang with libclang-rt-dev. What it finds lies in build/fuzz/found/ and fails the script; what it reaches
 # is kept in build/fuzz/reached/, and `scripts/fuzz.sh minimise` takes the least of it into the tree's corpus.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

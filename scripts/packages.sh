@@ -1,6 +1,7 @@
 # shellcheck shell=bash
 # What ptbench needs from apt, and functions that install what is missing and build. Sourced by bench.sh and test.sh. The names
-# are those of Debian 12 and of Ubuntu 22.04 and 24.04. One package a line: name, then what it is for.
+# are those of Debian 12 and 13 and of Ubuntu 22.04 and 24.04. One package a line: name, then what it is for. One that ends
+# with a question mark not all of them have: its tests are skipped there, with the reason.
 
 PACKAGES_TO_BUILD='
 g++                     C++20 compiler
@@ -31,7 +32,8 @@ libgtest-dev            test framework
 libgmock-dev            test framework
 locales                 a locale whose numbers have commas
 python3                 tests of the command line
-clang-14                sanitizers; lint: compiles every kernel
+clang                   sanitizers; lint: compiles every kernel
+libclang-rt-dev?        sanitizers; part of clang where there is none
 "
 
 # shellcheck disable=SC2034
@@ -42,10 +44,10 @@ libbenchmark-tools      a reader of reports: compare.py
 python3-scipy           needed by compare.py
 python3-pandas          a reader of reports
 python3-junitparser     a reader of reports
-oclgrind                races and bad accesses in kernels
+oclgrind?               races and bad accesses in kernels
 mesa-opencl-icd         a second OpenCL driver
-clang-tidy-14           lint: C++
-clang-format-14         lint: layout
+clang-tidy              lint: C++
+clang-format-14?        lint: layout, which other versions see otherwise
 shellcheck              lint: scripts
 groff-base              tests of the man page
 zsh                     tests of its completions
@@ -56,31 +58,52 @@ is_installed() {
     [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 
+# as_root COMMAND...: everything it says goes to stderr, since stdout is the program's.
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then "$@" >&2; else sudo "$@" >&2; fi
+}
+
+# missing_of LIST: names of the packages of LIST that are not installed; says which, and what for.
+missing_of() {
+    local name why
+    while read -r name why; do
+        if [ -z "$name" ] || is_installed "${name%\?}"; then continue; fi
+        printf 'missing: %-24s %s\n' "${name%\?}" "$why" >&2
+        echo "$name"
+    done <<<"$1"
+}
+
+# offered NAME...: the names, less those with a question mark that apt does not have.
+offered() {
+    local name
+    for name in "$@"; do
+        if [ "$name" = "${name%\?}" ] || apt-cache show "${name%\?}" >/dev/null 2>&1; then
+            echo "${name%\?}"
+        else
+            echo "note: this release has no ${name%\?}; what needs it is left out" >&2
+        fi
+    done
+}
+
 # install_missing LIST: installs the packages of LIST that are not there; no apt and no network when all are.
 install_missing() {
-    local name why missing=() as_root=()
+    local missing names
     if ! command -v dpkg-query >/dev/null; then
         echo "note: no dpkg here; this system's own packages must bring: $(awk '{ printf "%s ", $1 }' <<<"$1")" >&2
         return
     fi
-    while read -r name why; do
-        if [ -z "$name" ] || is_installed "$name"; then continue; fi
-        printf 'missing: %-24s %s\n' "$name" "$why" >&2
-        missing+=("$name")
-    done <<<"$1"
+    mapfile -t missing < <(missing_of "$1")
     if [ ${#missing[@]} -eq 0 ]; then return; fi
-    if [ "$(id -u)" -ne 0 ]; then
-        if ! command -v sudo >/dev/null; then
-            echo "error: neither root nor sudo; as root, run: apt-get install ${missing[*]}" >&2
-            return 1
-        fi
-        as_root=(sudo)
+    if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
+        echo "error: neither root nor sudo; as root, run: apt-get install ${missing[*]%\?}" >&2
+        return 1
     fi
-    # Everything apt says goes to stderr: stdout is the program's.
-    if ! { ${as_root[@]+"${as_root[@]}"} apt-get update &&
-        ${as_root[@]+"${as_root[@]}"} env DEBIAN_FRONTEND=noninteractive \
-            apt-get install --yes --no-install-recommends "${missing[@]}"; } >&2; then
-        echo "error: apt-get failed; as root, run: apt-get install ${missing[*]}" >&2
+    if ! compgen -G '/var/lib/apt/lists/*_Packages*' >/dev/null; then as_root apt-get update || true; fi
+    mapfile -t names < <(offered "${missing[@]}")
+    if [ ${#names[@]} -eq 0 ]; then return; fi
+    if ! { as_root apt-get update &&
+        as_root env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "${names[@]}"; }; then
+        echo "error: apt-get failed; as root, run: apt-get install ${names[*]}" >&2
         return 1
     fi
 }

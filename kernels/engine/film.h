@@ -59,7 +59,7 @@ static inline void film_store(__global FilmPixel* place, const FilmPixel* sum) {
     for (uint i = 0; i < FILM_LAYERS; ++i) ((__global uint4*)place)[i] = texels[i];
 }
 
-#ifdef __IMAGE_SUPPORT__
+#ifdef ENGINE_IMAGE_FILM
 
 static inline FilmPixel film_load_texels(__read_only image2d_t film, int2 at, int rows) {
     const sampler_t nearest = CLK_NORMALIZED_COORDS_FALSE | CLK_ADDRESS_NONE | CLK_FILTER_NEAREST;

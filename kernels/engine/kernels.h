@@ -62,7 +62,7 @@ __kernel void KERNEL(add)(__global FilmPixel* film, __global const Tally* tallie
     COUNTED_END
 }
 
-#ifdef __IMAGE_SUPPORT__
+#ifdef ENGINE_IMAGE_FILM
 
 /* The same for a film in an image, of which the launch may have traced a part: the sums go to another image. */
 __kernel void KERNEL(add_to_image)(__read_only image2d_t film, __write_only image2d_t sums, __global const Tally* tallies,

@@ -7,13 +7,15 @@
 
 #include "engine/unit.h"
 #include "engine/work.h"
+#include "lib/outlined.h"
 
-/* PoCL stores every variable of a kernel's loop to memory at each turn, but not those of a function that it may not
-   inline: 10.3 -> 11.7 Msamples/s (two AVX-512 cores). One that reads local memory it compiles to a crash (PoCL 3.1). */
+/* One lane a work-item keeps its loop in the kernel. A function that reads local memory PoCL compiles to a crash (3.1). */
 #if PTB_LANES > 1 && SCENE_SPHERES != SCENE_IN_LOCAL && SCENE_SURFACES != SCENE_IN_LOCAL
-#define ENGINE_OUTLINE static __attribute__((noinline))
+#define ENGINE_OUTLINE OUTLINED
+#define ENGINE_STAY_OUTLINED STAY_OUTLINED
 #else
 #define ENGINE_OUTLINE static inline
+#define ENGINE_STAY_OUTLINED (void)0
 #endif
 
 /* Segments that a lone lane traces before it looks after its paths' ends. On GPUs the lanes of a warp end one by one, and
@@ -26,6 +28,7 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queue, S
                                 SCENE_SURFACE_SPACE const SceneSurface* surface_rows, __global const uint* camera_sides,
                                 __global const uint* run_starts, __global const SceneLamp* lamps,
                                 EngineLaunch launch COUNTED_PARAMETER) {
+    ENGINE_STAY_OUTLINED;
 #ifdef SCENE_FEW
     const uint opaque = SCENE_OPAQUE, count = SCENE_FEW;
 #else

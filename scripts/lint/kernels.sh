@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 clang=''
-for name in clang-14 clang clang-19 clang-18 clang-17 clang-16 clang-15 clang-13; do
+for name in clang clang-{21..13}; do
     if command -v "$name" >/dev/null; then clang=$name && break; fi
 done
 if [ -z "$clang" ]; then
@@ -31,8 +31,8 @@ while IFS= read -r kernel; do
         if [[ $lanes -eq 32 && $kernel == */peaks.cl ]]; then continue; fi # it needs built-ins, which end at 16
         portable=(-target spir64 "-DPTB_LANES=$lanes")
         check "$kernel" "${portable[@]}" -DSCENE_GLOWS -DENGINE_BOUNDED -DSCENE_LONE_LAMP=1
-        check "$kernel" "${portable[@]}" -DSCENE_FEW=4 -DSCENE_OPAQUE=2 -DSCENE_MANY_LAMPS -DENGINE_ROULETTE
-        check "$kernel" "${portable[@]}" -DSCENE_SIDE_WORDS=3 -DSCENE_SPHERES=2 -DSCENE_SURFACES=2 -DSCENE_GLOWS -DSCENE_MANY_LAMPS -DPTB_COUNT -DENGINE_ROULETTE
+        check "$kernel" "${portable[@]}" -DSCENE_FEW=4 -DSCENE_OPAQUE=2 -DSCENE_MANY_LAMPS -DENGINE_ROULETTE -DENGINE_IMAGE_FILM
+        check "$kernel" "${portable[@]}" -DSCENE_SIDE_WORDS=3 -DSCENE_SPHERES=2 -DSCENE_SURFACES=2 -DSCENE_GLOWS -DSCENE_MANY_LAMPS -DENGINE_IMAGE_FILM -DPTB_COUNT -DENGINE_ROULETTE
         check "$kernel" "${portable[@]}" -DSCENE_FEW=4 -DSCENE_OPAQUE=2 -DSCENE_LONE_LAMP=2 "${careful[@]}"
         check "$kernel" "${portable[@]}" -DSCENE_MANY_LAMPS "${careful[@]}" -DPTB_COUNT
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_PORTABLE
@@ -40,7 +40,7 @@ while IFS= read -r kernel; do
         check "$kernel" "${portable[@]}" "${few[@]}" -DPTB_STRICT -DSCENE_SPHERES=4 -DSCENE_SURFACES=4 -DPTB_PARK_MILLER
         check "$kernel" "${portable[@]}" -DSCENE_SPHERES=3 -DSCENE_SURFACES=3 -DSCENE_COUNT=40 -DSCENE_FACES=45 -DENGINE_FILTER=2 -DSCENE_LONE_LAMP=2
         # With these the tables become register permutes: for PoCL's compiler and for Intel's.
-        x86='-target x86_64-unknown-linux-gnu'
+        x86='-target x86_64-unknown-linux-gnu -DPOCL_DEVICE_ADDRESS_BITS=64'
         for machine in "$x86 -mavx512f -mavx512vl -DPTB_WIDTH=16" "$x86 -mavx2 -mfma -DPTB_WIDTH=8" \
             '-target spir64 -D__INTEL_LLVM_COMPILER -DPTB_WIDTH=16' '-target spir64 -D__INTEL_LLVM_COMPILER -DPTB_WIDTH=8'; do
             # shellcheck disable=SC2086 # several words

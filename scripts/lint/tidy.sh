@@ -7,7 +7,7 @@ shift
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 tidy=''
-for name in clang-tidy-14 clang-tidy; do
+for name in clang-tidy clang-tidy-14; do
     if command -v "$name" >/dev/null; then tidy=$name && break; fi
 done
 if [ -z "$tidy" ]; then

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -19,6 +20,26 @@ def run(*command, cwd="/", **environment):
     if result.returncode != 0:
         raise AssertionError(f"{words} exits {result.returncode}:\n{result.stdout}{result.stderr}")
     return result.stdout
+
+
+def installed_of_build():
+    """Files of the build folder that `cmake --install` insists on."""
+    copied = "".join(file.read_text() for file in BUILD.rglob("cmake_install.cmake"))
+    commands = [command for command in re.findall(r"file\(INSTALL[^)]*\)", copied) if " OPTIONAL " not in command]
+    return set(re.findall(rf'"{re.escape(str(BUILD))}/([^"]+)"', "".join(commands)))
+
+
+def made_of(target):
+    """Files that ninja makes or reads for a target, relative to the build folder where they are in it."""
+    graph = run("ninja", "-C", BUILD, "-t", "graph", target)
+    return {label.removeprefix(f"{BUILD}/") for label in re.findall(r'label="([^"]+)"', graph)}
+
+
+class PartialTree(unittest.TestCase):
+    def test_the_target_ptbench_makes_whatever_is_installed(self):
+        ninja_makes = made_of("all") & installed_of_build()
+        self.assertIn("bench/manual/ptbench.1.gz", ninja_makes)
+        self.assertEqual(ninja_makes - made_of("ptbench"), set())
 
 
 class MovedTree(unittest.TestCase):
