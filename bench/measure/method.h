@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/measure/advice.h"
 #include "bench/measure/sampler.h"
 #include "bench/measure/stop_rule.h"
 #include "bench/measure/timer.h"
@@ -40,6 +41,6 @@ Measurement measure(const Method& method, TimerWatch& timer, const TakeSample& t
 Statistics describe(const Measurement& measurement, const TimerWatch& timer);
 
 /// Why the numbers are not to be trusted, and what to do; empty when they are.
-std::string unstable_reason(const Measurement& measurement, const TimerWatch& timer);
+std::string unstable_reason(const Measurement& measurement, const TimerWatch& timer, const Place& place);
 
 }  // namespace ptb
