@@ -81,16 +81,20 @@ Kept keep(std::span<const TimeSample> samples, bool host_clock, int renders) {
     return kept;
 }
 
-std::string distrust(std::span<const TimeSample> samples, bool host_clock, int renders, const Place& place) {
+std::string lost_time(std::span<const TimeSample> samples, bool host_clock, const Place& place) {
     const Causes causes = causes_of(samples, host_clock);
-    Causes lost = causes;  // a clock that moves is told by the interval
+    Causes lost = causes;
     lost.erase(cause::clock_low);
-    if (total(lost) > 0 && 2 * total(lost) >= static_cast<int>(samples.size()))
-        return fmt::format("{} of {} samples are flagged ({}): {}", total(causes), samples.size(),
-                           text(causes), advice(most_frequent(lost), place));
-    const Kept kept = keep(samples, host_clock, renders);
-    const double half_width = spread(describe_times(kept.times_ns));
+    if (lost.empty() || 2 * total(lost) < static_cast<int>(samples.size())) return "";
+    return fmt::format("{} of {} samples are flagged ({}): {}", total(causes), samples.size(), text(causes),
+                       advice(most_frequent(lost), place));
+}
+
+std::string vague_median(std::span<const TimeSample> samples, bool host_clock, int renders,
+                         const Place& place) {
+    const double half_width = spread(describe_times(keep(samples, host_clock, renders).times_ns));
     if (half_width <= spread_limit) return "";
+    const Causes causes = causes_of(samples, host_clock);
     const std::string flagged = causes.empty() ? "" : fmt::format(", flagged: {}", text(causes));
     return fmt::format("the median is known to {:.1f} % only ({} samples{}): {}", 100 * half_width,
                        samples.size(), flagged, advice(most_frequent(causes), place));

@@ -44,9 +44,13 @@ struct Kept {
 };
 Kept keep(std::span<const TimeSample> samples, bool host_clock, int renders);
 
-/// Why the median of these samples cannot be trusted, and what to do; empty when it can. It cannot where half
-/// of the samples lost time to something (whatever their interval: all may be as wrong), or where its 95 %
-/// interval is wider than +- 5 %. Too few samples for an interval say nothing of their spread.
-std::string distrust(std::span<const TimeSample> samples, bool host_clock, int renders, const Place& place);
+/// Half or more of the samples lost time to something: all may be as wrong, whatever their interval is. What
+/// it was, and what to do; empty when they did not. A clock that moves loses nothing: the interval tells it.
+std::string lost_time(std::span<const TimeSample> samples, bool host_clock, const Place& place);
+
+/// The exact 95 % interval of these samples' median is wider than +- 5 %: how wide, and what to do; empty
+/// when it is not. Too few samples for an interval say nothing of their spread.
+std::string vague_median(std::span<const TimeSample> samples, bool host_clock, int renders,
+                         const Place& place);
 
 }  // namespace ptb

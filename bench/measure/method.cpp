@@ -80,10 +80,16 @@ Statistics describe(const Measurement& measurement, const TimerWatch& timer) {
     return statistics;
 }
 
-std::string unstable_reason(const Measurement& measurement, const TimerWatch& timer, const Place& place) {
+std::string wrong_times(const Measurement& measurement, const TimerWatch& timer, const Place& place) {
     if (describe(measurement, timer).median_ns <= 0)
         return "the device's event times do not advance during a sample: use --timer host";
-    return distrust(measurement.samples, timer.host(), measurement.renders, place);
+    return lost_time(measurement.samples, timer.host(), place);
+}
+
+std::string unstable_reason(const Measurement& measurement, const TimerWatch& timer, const Place& place) {
+    const std::string wrong = wrong_times(measurement, timer, place);
+    if (!wrong.empty()) return wrong;
+    return vague_median(measurement.samples, timer.host(), measurement.renders, place);
 }
 
 }  // namespace ptb
