@@ -63,7 +63,7 @@ int doctor_command(const Options& options) {
     if (!flags.json.empty() && flags.json != "-") check_writable("--json", flags.json);
     const AbPlan plan = plan_ab(both_sides(flags), options.common);
     const Surroundings before = look_around();
-    Diagnosis diagnosis{host_info(), find_devices(options.common), {}, host_remarks(before)};
+    Diagnosis diagnosis{host_info(), find_devices(options.common), {}, host_remarks(before, running_now())};
     const bool any = any_usable(diagnosis.list);
     const Stopped stopped = [&stop = watch_for_interruption()] { return stop.load(); };
     if (any) measure(options, plan, stopped, diagnosis);

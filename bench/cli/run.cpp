@@ -21,6 +21,7 @@
 #include "bench/measure/clock.h"
 #include "bench/measure/counted.h"
 #include "bench/measure/fit.h"
+#include "bench/measure/surroundings.h"
 #include "bench/plan/data_dir.h"
 #include "bench/plan/scene_file.h"
 #include "bench/record/host.h"
@@ -108,11 +109,11 @@ ProgressStyle progress_style(const CommonFlags& flags) {
 
 std::vector<std::string> warnings_before(const HostInfo& host, const Options& options) {
     std::vector<std::string> warnings;
-    if (host.load_1min > 0.5 * host.cores) {
-        warnings.push_back(
-            fmt::format("load of {:.1f} on {} cores before the run; times on CPUs will vary: end "
-                        "other programs, or take more --min-samples",
-                        host.load_1min, host.cores));
+    if (const int running = running_now(); is_busy(running, host.cores)) {
+        warnings.push_back(fmt::format(
+            "threads of other programs that ran before the run: {}, on {} cores; times on CPUs will "
+            "vary: end what `top` shows, or take more --min-samples",
+            running, host.cores));
     }
     if (options.run.no_isolate) {
         warnings.push_back("--no-isolate: one driver's crash ends the run, and drivers share a process");

@@ -13,19 +13,12 @@
 namespace ptb {
 namespace {
 
-/// Of one render, in samples without a flag, while those are at least half; by the clock that the record
-/// believes.
+/// Of one render, as the record's statistics have them.
 std::vector<double> times_of(const Record& record) {
-    const bool host = record.statistics->timer == "host";
     const int renders = record.work ? record.work->renders : 1;
-    std::vector<double> clean, all;
-    for (const TimeSample& sample : record.samples) {
-        const double ns = time_ns(sample, host, renders);
-        if (!(ns > 0)) continue;
-        all.push_back(ns);
-        if (sample.cause.empty()) clean.push_back(ns);
-    }
-    return 2 * clean.size() >= all.size() ? clean : all;
+    auto times = keep(record.samples, record.statistics->timer == "host", renders).times_ns;
+    std::erase_if(times, [](double ns) { return !(ns > 0); });
+    return times;
 }
 
 /// What nobody named, and tuning chose.

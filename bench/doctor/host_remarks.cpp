@@ -10,6 +10,8 @@ namespace {
 
 using Weight = Remark::Weight;
 
+constexpr double steal_limit = 0.02;  ///< of the CPUs' time
+
 Remark fine(const char* about, std::string seen) { return {Weight::fine, about, "", std::move(seen), ""}; }
 
 }  // namespace
@@ -18,20 +20,20 @@ std::string to_string(Remark::Weight weight) {
     return weight == Weight::fine ? "fine" : weight == Weight::note ? "note" : "warning";
 }
 
-Remark load_remark(double load_1min, int cpus) {
-    const std::string seen = fmt::format("load of {:.1f} on {} CPUs", load_1min, cpus);
-    if (load_1min <= 0.5 * cpus) return fine("load", seen);
+Remark load_remark(int running, int cpus) {
+    const std::string seen =
+        fmt::format("threads of other programs that run now: {}, on {} CPUs", running, cpus);
+    if (!is_busy(running, cpus)) return fine("load", seen);
     return {Weight::warning, "load", "", seen,
             "times on CPUs will vary: end what `top` shows, or keep it off some CPUs and measure there, e.g. "
             "`taskset -c 0 ptbench ...`"};
 }
 
 Remark steal_remark(const CpuTicks& before, const CpuTicks& after) {
-    const auto all = static_cast<double>(after.all - before.all);
-    const double share = all > 0 ? static_cast<double>(after.stolen - before.stolen) / all : 0;
+    const double share = stolen_share(before, after);
     const std::string seen = fmt::format("the hypervisor took {:.1f} % of the CPUs' time {}", 100 * share,
                                          before.all == 0 ? "since boot" : "during the A/A runs");
-    if (!stolen(before, after)) return fine("steal", seen);
+    if (share <= steal_limit) return fine("steal", seen);
     return {Weight::warning, "steal", "", seen,
             "other virtual machines take this one's CPUs: use dedicated ones, or gate with `ptbench ab "
             "--require-mde 10%`"};
@@ -82,9 +84,9 @@ Remark cpu_limit_remark(const Surroundings& host) {
     return {Weight::note, "cpu limit", "", seen, "to see or change it: `taskset -p $$`"};
 }
 
-std::vector<Remark> host_remarks(const Surroundings& host) {
-    return {load_remark(host.load_1min, std::max(host.cpus_allowed, 1)), governor_remark(host),
-            boost_remark(host), virtualisation_remark(host), cpu_limit_remark(host)};
+std::vector<Remark> host_remarks(const Surroundings& host, int running) {
+    return {load_remark(running, std::max(host.cpus_online, 1)), governor_remark(host), boost_remark(host),
+            virtualisation_remark(host), cpu_limit_remark(host)};
 }
 
 }  // namespace ptb

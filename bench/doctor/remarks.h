@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/compare/gate.h"
-#include "bench/doctor/surroundings.h"
+#include "bench/measure/surroundings.h"
 #include "bench/worker/probe.h"
 
 namespace ptb {
@@ -22,7 +22,8 @@ struct Remark {
 };
 std::string to_string(Remark::Weight weight);
 
-Remark load_remark(double load_1min, int cpus);
+/// Of what runs beside this process now.
+Remark load_remark(int running, int cpus);
 /// CPU time that a hypervisor took between two readings.
 Remark steal_remark(const CpuTicks& before, const CpuTicks& after);
 Remark governor_remark(const Surroundings& host);
@@ -31,8 +32,8 @@ Remark virtualisation_remark(const Surroundings& host);
 /// Control groups and affinity: CPUs that this process may not use.
 Remark cpu_limit_remark(const Surroundings& host);
 
-/// All of the above but steal.
-std::vector<Remark> host_remarks(const Surroundings& host);
+/// All of the above but steal; `running` beside this process.
+std::vector<Remark> host_remarks(const Surroundings& host, int running);
 
 /// Broken drivers, and devices that several drivers show; one that all is well when all is.
 std::vector<Remark> driver_remarks(const DeviceList& list);

@@ -1,60 +1,68 @@
 #include "bench/measure/causes.h"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
+#include <numeric>
 
 #include <fmt/format.h>
+
+#include "bench/measure/statistics.h"
 
 namespace ptb {
 
 namespace {
 
-constexpr double steal_limit = 0.02, clock_limit = 1.05;
-constexpr std::size_t counters = 8;  ///< user nice system idle iowait irq softirq steal; guests are in user
-
 bool counts(const TimeSample& sample, bool host_clock) {
-    return sample.cause.empty() || (host_clock && sample.cause == cause::timer_fault);
+    const bool of_events = sample.cause == cause::timer_fault || sample.cause == cause::clocks_differ;
+    return sample.cause.empty() || (host_clock && of_events);
 }
 
-std::string advice(const std::string& why) {
-    if (why == cause::clock_low)
-        return "the device runs below its best clock: let it cool, or lock its clock";
-    if (why == cause::steal) return "other virtual machines take this one's CPU time: use a quieter machine";
-    if (why == cause::timer_fault) return "the device's event times are wrong: use --timer auto or host";
-    return "take more samples (--min-samples)";
+/// Flagged samples by their cause.
+using Causes = std::map<std::string, int>;
+
+Causes causes_of(std::span<const TimeSample> samples, bool host_clock) {
+    Causes causes;
+    for (const TimeSample& sample : samples)
+        if (!counts(sample, host_clock)) ++causes[sample.cause];
+    return causes;
+}
+
+/// "busy 5, steal 1"
+std::string text(const Causes& causes) {
+    std::vector<std::string> counted;
+    for (const auto& [why, count] : causes) counted.push_back(fmt::format("{} {}", why, count));
+    return fmt::format("{}", fmt::join(counted, ", "));
+}
+
+int total(const Causes& causes) {
+    return std::accumulate(causes.begin(), causes.end(), 0,
+                           [](int sum, const auto& cause) { return sum + cause.second; });
+}
+
+std::string most_frequent(const Causes& causes) {
+    const auto most = std::max_element(causes.begin(), causes.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == causes.end() ? "" : most->first;
+}
+
+/// Half the interval as a share of the median; 0 where there is none.
+double spread(const Statistics& s) {
+    return s.ci_low_ns && s.ci_high_ns && s.median_ns > 0 ? (*s.ci_high_ns - *s.ci_low_ns) / 2 / s.median_ns
+                                                          : 0;
 }
 
 }  // namespace
 
-CpuTicks parse_cpu_ticks(std::string_view line) {
-    if (!line.starts_with("cpu ")) return {};
-    CpuTicks ticks;
-    const char* at = line.data();
-    const char* const end = at + line.size();
-    at += 4;
-    for (std::size_t i = 0; i < counters; ++i) {
-        while (at != end && *at == ' ') ++at;
-        std::uint64_t value = 0;
-        const auto [next, error] = std::from_chars(at, end, value);
-        if (error != std::errc()) return {};
-        at = next;
-        ticks.all += value;
-        if (i + 1 == counters) ticks.stolen = value;
+void flag_low_clock(std::span<TimeSample> samples) {
+    std::vector<double> probes_ns;
+    for (const TimeSample& sample : samples)
+        if (sample.probe_ns > 0) probes_ns.push_back(static_cast<double>(sample.probe_ns));
+    const double usual_ns = describe_times(probes_ns).median_ns;
+    for (TimeSample& sample : samples) {
+        if (!sample.cause.empty() && sample.cause != cause::clock_low) continue;
+        const bool low = static_cast<double>(sample.probe_ns) > clock_limit * usual_ns;
+        sample.cause = low ? cause::clock_low : "";
     }
-    return ticks;
-}
-
-bool stolen(const CpuTicks& before, const CpuTicks& after) {
-    if (after.all <= before.all || after.stolen <= before.stolen + 1) return false;
-    return static_cast<double>(after.stolen - before.stolen) >
-           steal_limit * static_cast<double>(after.all - before.all);
-}
-
-bool ClockWatch::low(std::int64_t probe_ns) {
-    if (probe_ns <= 0) return false;
-    best_ns_ = best_ns_ == 0 ? probe_ns : std::min(best_ns_, probe_ns);
-    return static_cast<double>(probe_ns) > clock_limit * static_cast<double>(best_ns_);
 }
 
 double time_ns(const TimeSample& sample, bool host_clock, int renders) {
@@ -69,25 +77,27 @@ Kept keep(std::span<const TimeSample> samples, bool host_clock, int renders) {
         if (counts(sample, host_clock)) kept.times_ns.push_back(all.back());
     }
     kept.flagged = static_cast<int>(all.size() - kept.times_ns.size());
-    kept.unstable = kept.flagged > 0 && 2 * kept.times_ns.size() <= all.size();
-    if (kept.unstable) kept.times_ns = all;
+    if (2 * kept.times_ns.size() <= all.size()) kept.times_ns = all;
     return kept;
 }
 
-std::string flags_text(std::span<const TimeSample> samples, bool host_clock) {
-    std::map<std::string, int> causes;
-    int flagged = 0;
-    for (const TimeSample& sample : samples) {
-        if (counts(sample, host_clock)) continue;
-        ++causes[sample.cause];
-        ++flagged;
-    }
-    std::vector<std::string> counted;
-    for (const auto& [why, count] : causes) counted.push_back(fmt::format("{} {}", why, count));
-    const auto most = std::max_element(causes.begin(), causes.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
-    return fmt::format("{} of {} samples are flagged ({}): {}", flagged, samples.size(),
-                       fmt::join(counted, ", "), most == causes.end() ? "" : advice(most->first));
+std::string lost_time(std::span<const TimeSample> samples, bool host_clock, const Place& place) {
+    const Causes causes = causes_of(samples, host_clock);
+    Causes lost = causes;
+    lost.erase(cause::clock_low);
+    if (lost.empty() || 2 * total(lost) < static_cast<int>(samples.size())) return "";
+    return fmt::format("{} of {} samples are flagged ({}): {}", total(causes), samples.size(), text(causes),
+                       advice(most_frequent(lost), place));
+}
+
+std::string vague_median(std::span<const TimeSample> samples, bool host_clock, int renders,
+                         const Place& place) {
+    const double half_width = spread(describe_times(keep(samples, host_clock, renders).times_ns));
+    if (half_width <= spread_limit) return "";
+    const Causes causes = causes_of(samples, host_clock);
+    const std::string flagged = causes.empty() ? "" : fmt::format(", flagged: {}", text(causes));
+    return fmt::format("the median is known to {:.1f} % only ({} samples{}): {}", 100 * half_width,
+                       samples.size(), flagged, advice(most_frequent(causes), place));
 }
 
 }  // namespace ptb

@@ -6,52 +6,51 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/measure/advice.h"
 #include "bench/record/record.h"
 
 namespace ptb {
 
 /// Why a sample is flagged (`TimeSample::cause`).
 namespace cause {
-inline constexpr auto first = "first";              ///< nothing ran before it
-inline constexpr auto clock_low = "clock_low";      ///< the device's clock was below the session's best
-inline constexpr auto steal = "steal";              ///< the hypervisor took CPU time
-inline constexpr auto timer_fault = "timer_fault";  ///< its event times cannot be right
+inline constexpr auto first = "first";                  ///< nothing ran before it
+inline constexpr auto clock_low = "clock_low";          ///< the device's clock was lower than its case's
+inline constexpr auto steal = "steal";                  ///< the hypervisor took CPU time
+inline constexpr auto busy = "busy";                    ///< other programs took CPU time
+inline constexpr auto timer_fault = "timer_fault";      ///< its event times cannot be right
+inline constexpr auto clocks_differ = "clocks_differ";  ///< the host waited far longer than its events cover
 }  // namespace cause
 
-/// Ticks that all CPUs together have counted since boot.
-struct CpuTicks {
-    std::uint64_t all = 0, stolen = 0;
-};
+/// Of a probe's time, how many times the usual one it may be.
+inline constexpr double clock_limit = 1.05;
+/// A share of CPU time that others took, from which on a sample is flagged: its time is at least that much
+/// off.
+inline constexpr double loss_limit = 0.05;
+/// Half a median's 95 % interval, as a share of it, from which on the case is unstable.
+inline constexpr double spread_limit = 0.05;
 
-/// The first line of /proc/stat; zeros for anything else.
-CpuTicks parse_cpu_ticks(std::string_view line);
-
-/// The hypervisor took over 2 % of the time between two readings, and more than one tick.
-bool stolen(const CpuTicks& before, const CpuTicks& after);
-
-/// The device's clock as the time of a fixed piece of work shows it. A time over 1.05 x the session's best is
-/// a low clock.
-class ClockWatch {
-  public:
-    bool low(std::int64_t probe_ns);
-
-  private:
-    std::int64_t best_ns_ = 0;
-};
+/// Flags the samples of one case whose probe took over 1.05 x the median of the case's probes: the clock was
+/// lower than usual in it. Samples with another cause keep that.
+void flag_low_clock(std::span<TimeSample> samples);
 
 /// Of one render, where a sample holds `renders`; nanoseconds.
 double time_ns(const TimeSample& sample, bool host_clock, int renders);
 
-/// The times of one render that count. Flagged samples are left out while they are under half; else all stay
-/// and the case is unstable. By the host's clock, faulty event times are no flaw.
+/// The times of one render that count. Flagged samples are left out while they are under half; else all stay.
+/// By the host's clock, faulty event times are no flaw.
 struct Kept {
     std::vector<double> times_ns;
     int flagged = 0;
-    bool unstable = false;
 };
 Kept keep(std::span<const TimeSample> samples, bool host_clock, int renders);
 
-/// "5 of 9 samples are flagged (clock_low 5): ...", with what to do about it.
-std::string flags_text(std::span<const TimeSample> samples, bool host_clock);
+/// Half or more of the samples lost time to something: all may be as wrong, whatever their interval is. What
+/// it was, and what to do; empty when they did not. A clock that moves loses nothing: the interval tells it.
+std::string lost_time(std::span<const TimeSample> samples, bool host_clock, const Place& place);
+
+/// The exact 95 % interval of these samples' median is wider than +- 5 %: how wide, and what to do; empty
+/// when it is not. Too few samples for an interval say nothing of their spread.
+std::string vague_median(std::span<const TimeSample> samples, bool host_clock, int renders,
+                         const Place& place);
 
 }  // namespace ptb

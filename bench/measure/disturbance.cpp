@@ -14,10 +14,12 @@ namespace ptb {
 
 namespace {
 
-constexpr cl_uint probe_steps = 16384;   ///< some 30 us of a CPU, 200 us of a GPU
-constexpr int probe_launches = 5;        ///< the fastest counts: an interrupt is not a low clock
-constexpr double probe_share = 0.01;     ///< of a sample's time, at most
-constexpr double least_counted_s = 0.1;  ///< the system counts in ticks of 10 ms
+constexpr cl_uint probe_steps = 16384;  ///< some 30 us of a CPU, 200 us of a GPU
+constexpr int probe_launches = 5;       ///< the fastest counts: an interrupt is not a low clock
+constexpr double probe_share = 0.01;    ///< of a sample's time, at most
+constexpr double least_probed_s = 0.1;
+constexpr double least_ticking_s = 0.1;      ///< what is stolen is counted in ticks of 10 ms
+constexpr double least_scheduled_s = 0.005;  ///< of the scheduler, in ns; reading them takes some 50 us
 
 CpuTicks cpu_ticks() {
     std::ifstream file("/proc/stat");
@@ -71,17 +73,28 @@ bool Disturbances::make_probe() {
 }
 
 void Disturbances::begin(double predicted_s) {
-    counting_ = device_.info.type == "CPU" && predicted_s >= least_counted_s;
-    probing_ =
-        predicted_s >= least_counted_s && make_probe() && probe_->cost_s() <= probe_share * predicted_s;
-    if (counting_) ticks_ = cpu_ticks();
+    counting_ = place_.cpu_device && predicted_s >= least_scheduled_s;
+    counting_ticks_ = place_.cpu_device && predicted_s >= least_ticking_s;
+    probing_ = predicted_s >= least_probed_s && make_probe() && probe_->cost_s() <= probe_share * predicted_s;
+    if (counting_ticks_) ticks_ = cpu_ticks();
+    if (counting_) scheduled_ = scheduled_process();
+    began_ns_ = now_ns();
+}
+
+/// The cause, where others took CPU time of the sample that ends now.
+std::string Disturbances::taken_by_others() const {
+    const auto wall_ns = static_cast<double>(now_ns() - began_ns_);
+    if (counting_ &&
+        lost_share(scheduled_, scheduled_process(), wall_ns, usable_cpus(place_.host)) > loss_limit)
+        return cause::busy;
+    if (counting_ticks_ && stolen_share(ticks_, cpu_ticks()) > loss_limit) return cause::steal;
+    return "";
 }
 
 void Disturbances::end(TimeSample& sample) {
-    if (counting_ && stolen(ticks_, cpu_ticks())) sample.cause = cause::steal;
-    if (!probing_) return;
-    sample.probe_ns = probe_->run();
-    if (clock_.low(sample.probe_ns)) sample.cause = cause::clock_low;
+    const std::string taken = taken_by_others();
+    if (!taken.empty() && sample.cause != cause::timer_fault) sample.cause = taken;
+    if (probing_) sample.probe_ns = probe_->run();
 }
 
 }  // namespace ptb

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bench/measure/causes.h"
+#include "bench/measure/cpu_time.h"
 #include "core/ocl/program.h"
 
 namespace ptb {
@@ -29,20 +30,25 @@ class ClockProbe {
 /// Watches for what disturbs a device's samples and the samples do not show.
 class Disturbances {
   public:
-    explicit Disturbances(const ocl::Device& device) : device_(device) {}
+    explicit Disturbances(const ocl::Device& device)
+        : device_(device), place_{device.info.type == "CPU", look_around()} {}
     /// A sample begins that is predicted to last so long. Short ones go unwatched.
     void begin(double predicted_s);
-    /// It has ended: notes the probe's time in it, and the cause when something was wrong.
+    /// It has ended: notes the probe's time in it, and the cause where others took its CPU time.
     void end(TimeSample& sample);
+    const Place& place() const { return place_; }
 
   private:
     bool make_probe();
+    std::string taken_by_others() const;
 
     ocl::Device device_;
+    Place place_;
     std::unique_ptr<ClockProbe> probe_;
-    bool no_probe_ = false, probing_ = false, counting_ = false;
-    ClockWatch clock_;
+    bool no_probe_ = false, probing_ = false, counting_ = false, counting_ticks_ = false;
     CpuTicks ticks_;
+    Scheduled scheduled_;
+    std::int64_t began_ns_ = 0;
 };
 
 }  // namespace ptb

@@ -46,9 +46,8 @@ std::string warning_of(std::span<const SppPoint> points, double a, double b) {
     if (b <= 0) return "time does not grow with SPP: the work is too small to see; raise --size or --spp";
     if (std::abs(residual) <= bad_residual) return "";
     return fmt::format(
-        "SPP {} lies {:.0f} % {} the line: time per sample is not constant here; likely the clock fell or "
-        "other "
-        "programs ran: repeat, or let the device cool",
+        "SPP {} lies {:.0f} % {} the line: time per sample is not constant here; likely the clock moved or "
+        "other programs ran: repeat (`ptbench doctor` says what disturbs)",
         p.spp, 100 * std::abs(residual), residual > 0 ? "above" : "below");
 }
 

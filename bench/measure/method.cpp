@@ -62,6 +62,7 @@ Measurement measure(const Method& method, TimerWatch& timer, const TakeSample& t
         timer.observe(timed.timer);
         result.samples.push_back(timed.time);
         if (cold) flag_first(result.samples);
+        flag_low_clock(result.samples);
         const Kept kept = keep(result.samples, timer.host(), result.renders);
         result.stop_reason = rule.stop({kept.times_ns, static_cast<int>(result.samples.size()),
                                         static_cast<double>(timed.time.host_ns) * 1e-9, now_s() - begin_s});
@@ -79,11 +80,16 @@ Statistics describe(const Measurement& measurement, const TimerWatch& timer) {
     return statistics;
 }
 
-std::string unstable_reason(const Measurement& measurement, const TimerWatch& timer) {
-    const Kept kept = keep(measurement.samples, timer.host(), measurement.renders);
-    if (kept.unstable) return flags_text(measurement.samples, timer.host());
-    if (describe_times(kept.times_ns).median_ns > 0) return "";
-    return "the device's event times do not advance during a sample: use --timer host";
+std::string wrong_times(const Measurement& measurement, const TimerWatch& timer, const Place& place) {
+    if (describe(measurement, timer).median_ns <= 0)
+        return "the device's event times do not advance during a sample: use --timer host";
+    return lost_time(measurement.samples, timer.host(), place);
+}
+
+std::string unstable_reason(const Measurement& measurement, const TimerWatch& timer, const Place& place) {
+    const std::string wrong = wrong_times(measurement, timer, place);
+    if (!wrong.empty()) return wrong;
+    return vague_median(measurement.samples, timer.host(), measurement.renders, place);
 }
 
 }  // namespace ptb

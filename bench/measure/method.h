@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/measure/advice.h"
 #include "bench/measure/sampler.h"
 #include "bench/measure/stop_rule.h"
 #include "bench/measure/timer.h"
@@ -39,7 +40,10 @@ Measurement measure(const Method& method, TimerWatch& timer, const TakeSample& t
 /// Describes what was measured by the clock to believe, per render.
 Statistics describe(const Measurement& measurement, const TimerWatch& timer);
 
-/// Why the numbers are not to be trusted, and what to do; empty when they are.
-std::string unstable_reason(const Measurement& measurement, const TimerWatch& timer);
+/// Why the times are not those of the device, and what to do; empty when they are.
+std::string wrong_times(const Measurement& measurement, const TimerWatch& timer, const Place& place);
+
+/// Why the median is not to be trusted: wrong times, or an interval that is too wide. Empty when it is.
+std::string unstable_reason(const Measurement& measurement, const TimerWatch& timer, const Place& place);
 
 }  // namespace ptb

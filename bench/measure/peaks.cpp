@@ -76,7 +76,7 @@ void measure(Peak& peak, const ocl::Device& device, const PeakLaunch& launch, La
     const std::int64_t begin = now_ns();
     const Measurement measurement = measure({stop, std::nullopt, 0, resolution_ns}, watch, take,
                                             [begin] { return seconds_since(begin); });
-    peak.reason = unstable_reason(measurement, watch);
+    peak.reason = wrong_times(measurement, watch, {device.info.type == "CPU", look_around()});
     rate(peak, launch.amount, describe(measurement, watch));
 }
 

@@ -5,6 +5,7 @@
 
 #include "bench/measure/causes.h"
 #include "bench/measure/clock.h"
+#include "bench/measure/cpu_time.h"
 
 namespace ptb {
 
@@ -37,6 +38,7 @@ void PassCutter::learn(std::uint64_t samples, std::int64_t ns) {
 
 TimedRender timed_render(Render& render, const Timing& timing) {
     TimedRender sample;
+    const std::int64_t waited_ns = scheduled_thread().waited_ns;
     std::int64_t covered = 0;
     bool going = true;
     for (int i = 0; i < timing.renders && going; ++i) {
@@ -48,8 +50,10 @@ TimedRender timed_render(Render& render, const Timing& timing) {
             going = timing.progress((i + done) / timing.renders);
         }
     }
-    sample.timer.disagrees = clocks_disagree(covered, sample.time.host_ns);
-    if (sample.timer.disagrees || !sample.timer.fault.empty()) sample.time.cause = cause::timer_fault;
+    const std::int64_t woken_late_ns = scheduled_thread().waited_ns - waited_ns;
+    sample.timer.disagrees = clocks_disagree(covered, sample.time.host_ns - woken_late_ns);
+    if (sample.timer.disagrees) sample.time.cause = cause::clocks_differ;
+    if (!sample.timer.fault.empty()) sample.time.cause = cause::timer_fault;
     return sample;
 }
 

@@ -23,7 +23,8 @@ std::string timer_fault(std::span<const LaunchTimes> launches, std::int64_t host
 std::int64_t covered_ns(std::span<const LaunchTimes> launches);
 
 /// Two clocks on the same work disagree: over 10 ms, the host waited more than 20 % longer than the events
-/// cover. One such sample is a busy machine; a timer is at fault when most samples show it.
+/// cover; time for which it was ready to go on and got no CPU is not waited. One such sample may be a busy
+/// machine; a timer is at fault when most samples show it.
 bool clocks_disagree(std::int64_t covered_ns, std::int64_t host_ns);
 
 /// Renders in a sample: as many as make it last 100 ticks of the timer, at most 10,000.

@@ -53,7 +53,7 @@ struct TimeSample {
     std::int64_t queued_ns = 0;  ///< sum of SUBMIT - QUEUED
     std::int64_t submit_ns = 0;  ///< sum of START - SUBMIT
     std::int64_t probe_ns = 0;   ///< of the clock's probe right after it; 0 where there was none
-    std::string cause;  ///< empty, or why it is flagged: "first", "clock_low", "steal", "timer_fault"
+    std::string cause;           ///< empty, or why it is flagged: "busy", ... (bench/measure/causes.h)
     bool operator==(const TimeSample&) const = default;
 };
 

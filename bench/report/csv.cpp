@@ -89,10 +89,7 @@ Cell statistic_ms(std::optional<double> Statistics::*member) {
     return of_statistics([member](const Statistics& s) { return s.*member ? ms_text(*(s.*member)) : ""; });
 }
 
-std::string time_ms(const Row& r) {
-    const bool ok = r.record.status == Status::ok && r.record.statistics;
-    return ok ? ms_text(r.record.statistics->median_ns) : "";
-}
+std::string time_ms(const Row& r) { return timed(r.record) ? ms_text(r.record.statistics->median_ns) : ""; }
 
 Columns variant_columns() {
     Columns columns;
@@ -117,7 +114,7 @@ const Columns& case_columns() {
 
 const Columns& device_columns() {
     static const Columns columns = {
-        {"vendor", [](const Row& r) { return text(r.device.vendor); }},
+        {"vendor", [](const Row& r) { return text(vendor_name(r.device)); }},
         {"type", [](const Row& r) { return text(r.device.type); }},
         {"device", [](const Row& r) { return text(r.device.name); }},
     };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/measure/session_clock.h"
 #include "bench/plan/tuned.h"
 #include "bench/record/status.h"
 #include "bench/report/axes.h"
@@ -46,6 +47,18 @@ std::string names_of(const std::vector<Case>& cases) {
     return fmt::format("{}{}", fmt::join(names, "; "), more == 0 ? "" : fmt::format("; and {} more", more));
 }
 
+/// What sets the clock differs: drivers and heat for a GPU's, the system or a virtual machine's host for a
+/// CPU's.
+std::string clock_note(const ResultFile& result, const LowClock& low) {
+    const bool cpu = device_of(result, low.device).type == "CPU";
+    return fmt::format(
+        "{}: its clock stayed up to {:.0f} % below its best of this run in {} of {} cases, which are "
+        "timed by that clock: {}",
+        low.device, 100 * (1 - low.lowest_share), low.cases, low.of,
+        cpu ? "`ptbench doctor` says what sets it; `ptbench ab` compares side by side"
+            : "let it cool, or lock its clock (NVIDIA: `nvidia-smi -lgc`)");
+}
+
 }  // namespace
 
 Section problems_section(const ResultFile& result) {
@@ -64,6 +77,7 @@ Section remarks_section(const ResultFile& result) {
     if (result.run.interrupted)
         section.notes.push_back("interrupted: these are the cases measured until then");
     for (const auto& warning : result.warnings) section.notes.push_back("warning: " + warning);
+    for (const LowClock& low : low_clocks(result.cases)) section.notes.push_back(clock_note(result, low));
     for (const Case& best : result.run.tuned)
         section.notes.push_back(fmt::format("tuned: {} on {} takes {} where the config leaves it open",
                                             best.kernel, best.device, launch_text(best)));

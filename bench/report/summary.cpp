@@ -41,8 +41,8 @@ std::vector<Record> headline(const std::vector<Record>& records) {
 
 std::string times_as_fast(const Record& fast, const Record& slow) {
     const Statistics &f = *fast.statistics, &s = *slow.statistics;
-    const std::string ratio = fmt::format("{:.3g} times as fast as", s.median_ns / f.median_ns);
-    return ratio;
+    const std::string ratio = fmt::format("{:.3g}", s.median_ns / f.median_ns);
+    return ratio == "1" ? "as fast as" : ratio + " times as fast as";
 }
 
 /// What both medians' intervals leave open of their ratio.
@@ -125,6 +125,18 @@ std::string images(const ResultFile& result) {
     return fmt::format("{} of {} images are wrong: {}.", wrong, judged, first);
 }
 
+bool unsteady(const Record& record) { return record.status == Status::unstable && timed(record); }
+
+/// How many times are not to be trusted, and why not, of the first.
+std::string unstable(const ResultFile& result) {
+    const auto first = std::find_if(result.cases.begin(), result.cases.end(), unsteady);
+    if (first == result.cases.end()) return "";
+    const auto count = std::count_if(first, result.cases.end(), unsteady);
+    return fmt::format("{} of {} cases {} unstable, {} not to be trusted: {}.", count, result.cases.size(),
+                       count == 1 ? "is" : "are", count == 1 ? "its time is" : "their times are",
+                       first->reason);
+}
+
 std::string failures(const ResultFile& result) {
     const Grid groups = problems_section(result).grid;
     std::vector<std::string> parts;
@@ -134,7 +146,9 @@ std::string failures(const ResultFile& result) {
         if (parts.size() < most_reasons)
             parts.push_back(fmt::format("{} {} ({})", row[1], row[0], shortened(row[2], most_shown)));
     }
-    if (parts.empty()) return fmt::format("All {} cases ended well.", result.cases.size());
+    const bool steady = std::none_of(result.cases.begin(), result.cases.end(), unsteady);
+    if (parts.empty())
+        return fmt::format("All {} cases {}.", result.cases.size(), steady ? "ended well" : "have a time");
     if (groups.rows.size() > parts.size()) parts.emplace_back("others");
     return fmt::format("{} of {} cases have no time: {}.", cases, result.cases.size(),
                        fmt::join(parts, "; "));
@@ -147,7 +161,7 @@ Section summary_section(const ResultFile& result) {
     section.title = "in short";
     if (result.cases.empty()) return section;
     section.notes = speeds(result);
-    for (const std::string& sentence : {kernels(result), images(result), failures(result)})
+    for (const std::string& sentence : {kernels(result), images(result), failures(result), unstable(result)})
         if (!sentence.empty()) section.notes.push_back(sentence);
     if (result.run.interrupted)
         section.notes.emplace_back("The run was interrupted: these are its cases until then.");

@@ -6,13 +6,17 @@
 
 #include <fmt/format.h>
 
+#include "bench/measure/causes.h"
+
 namespace ptb {
 namespace {
 
 void no_progress(const Response&) {}
 
 bool faulty(const Record& record) {
-    const auto at_fault = [](const TimeSample& sample) { return sample.cause == "timer_fault"; };
+    const auto at_fault = [](const TimeSample& sample) {
+        return sample.cause == cause::timer_fault || sample.cause == cause::clocks_differ;
+    };
     return (record.statistics && record.statistics->timer == "host") ||
            std::any_of(record.samples.begin(), record.samples.end(), at_fault);
 }

@@ -326,7 +326,7 @@ void Workbench::summarize(const Measurement& measurement, Record& record) const 
     if (record.params.variant.queue == QueueOrder::out_of_order)
         record.work->overlap = overlap_of(measurement.samples);
     Statistics statistics = describe(measurement, timer_);
-    const std::string unstable = unstable_reason(measurement, timer_);
+    const std::string unstable = unstable_reason(measurement, timer_, disturbances_.place());
     if (!unstable.empty()) conclude(record, Status::unstable, unstable);
     if (statistics.median_ns <= 0) return;
     statistics.msamples_per_s = static_cast<double>(record.work->samples) / statistics.median_ns * 1e3;

@@ -1,4 +1,5 @@
 #include <fstream>
+#include <limits>
 
 #include <gmock/gmock.h>
 
@@ -23,6 +24,7 @@ class Machine {
         return *this;
     }
     Surroundings look() const { return look_around(root); }
+    int running() const { return running_now(root); }
 
   private:
     fs::path root =
@@ -41,7 +43,7 @@ TEST(doctor, a_machine_without_files_is_no_error) {
     const Surroundings nothing = Machine().look();
     EXPECT_EQ(nothing.cpus_online, 0);
     EXPECT_FALSE(nothing.quota);
-    EXPECT_EQ(host_remarks(nothing).size(), 5u);
+    EXPECT_EQ(host_remarks(nothing, 0).size(), 5u);
 }
 
 TEST(doctor, cpus_are_counted_in_lists_and_ranges) {
@@ -50,19 +52,54 @@ TEST(doctor, cpus_are_counted_in_lists_and_ranges) {
     EXPECT_EQ(count_cpus(""), 0);
 }
 
-TEST(doctor, a_busy_machine_is_warned_of) {
-    const auto host = Machine()
-                          .file("proc/loadavg", "3.30 0.93 0.33 12/144 8799\n")
-                          .file("proc/self/status", "Name:\tptbench\nCpus_allowed_list:\t0-1\n")
-                          .look();
-    expect(host_remarks(host)[0], Weight::warning, "load of 3.3 on 2 CPUs", "taskset");
-    expect(load_remark(0.9, 2), Weight::fine, "load of 0.9");
+TEST(doctor, a_busy_machine_is_warned_of_and_one_that_was_busy_is_not) {
+    Machine machine;
+    machine.file("proc/loadavg", "9.30 0.93 0.33 4/144 8799\n")
+        .file("proc/stat", "cpu  1 1 1\nprocs_running 4\n");
+    EXPECT_EQ(machine.running(), 3) << "this thread runs, too";
+    machine.file("proc/stat", "cpu  1 1 1\nprocs_running 1\n");
+    EXPECT_EQ(machine.running(), 0) << "whatever the load of the last minute was";
+    EXPECT_EQ(Machine().running(), 0);
+    expect(load_remark(1, 2), Weight::warning, "run now: 1, on 2 CPUs", "taskset");
+    expect(load_remark(1, 4), Weight::fine, "run now: 1, on 4 CPUs");
+    expect(load_remark(0, 1), Weight::fine, "run now: 0");
+}
+
+TEST(doctor, load_is_that_of_the_whole_machine) {
+    Machine machine;
+    machine.file("sys/devices/system/cpu/online", "0-63\n")
+        .file("proc/self/status", "Cpus_allowed_list:\t4,6\n");
+    expect(host_remarks(machine.look(), 3)[0], Weight::fine, "3, on 64 CPUs");
+}
+
+TEST(doctor, containers_and_laptops_are_told_by_what_they_leave) {
+    EXPECT_TRUE(Machine().file(".dockerenv", "").look().container);
+    EXPECT_TRUE(Machine().file("proc/self/cgroup", "0::/kubepods/besteffort/pod1\n").look().container);
+    EXPECT_FALSE(Machine().file("proc/self/cgroup", "0::/user.slice\n").look().container);
+    const std::string supply = "sys/class/power_supply/";
+    EXPECT_TRUE(Machine().file(supply + "BAT0/type", "Battery\n").look().battery);
+    EXPECT_FALSE(Machine().file(supply + "AC/type", "Mains\n").look().battery);
+    EXPECT_FALSE(Machine()
+                     .file(supply + "mouse/type", "Battery\n")
+                     .file(supply + "mouse/scope", "Device\n")
+                     .look()
+                     .battery)
+        << "a mouse has one, too";
+}
+
+TEST(doctor, the_cpus_that_can_be_used_are_those_allowed_or_the_quota) {
+    EXPECT_EQ(usable_cpus({}), std::numeric_limits<double>::infinity());
+    Surroundings host;
+    host.cpus_allowed = 4;
+    EXPECT_EQ(usable_cpus(host), 4);
+    host.quota = CpuQuota{1.5, "cpu.max"};
+    EXPECT_EQ(usable_cpus(host), 1.5);
 }
 
 TEST(doctor, stolen_time_is_warned_of) {
     const auto host = Machine().file("proc/stat", "cpu  900 0 50 0 0 0 0 50 0 0\ncpu0 1 1 1 1\n").look();
     expect(steal_remark({}, host.ticks), Weight::warning, "5.0 % of the CPUs' time since boot", "ab");
-    expect(steal_remark(host.ticks, {2000, 51}), Weight::fine, "0.1 % of the CPUs' time during the A/A runs");
+    expect(steal_remark(host.ticks, {3000, 52}), Weight::fine, "0.1 % of the CPUs' time during the A/A runs");
 }
 
 TEST(doctor, the_governor_should_be_performance_on_every_cpu) {
@@ -204,7 +241,8 @@ TEST(doctor, warnings_come_first_and_json_has_every_remark) {
     diagnosis.devices = {compared(1'000'000, 1'000'000)};
     diagnosis.remarks = {load_remark(0, 2), load_remark(9, 2)};
     add_device_remarks(diagnosis);
-    EXPECT_TRUE(diagnosis_text(diagnosis).starts_with("warning  load: load of 9.0 on 2 CPUs\n         -> "));
+    EXPECT_TRUE(diagnosis_text(diagnosis).starts_with(
+        "warning  load: threads of other programs that run now: 9, on 2 CPUs\n         -> "));
     const Json json = parse_json(diagnosis_json(diagnosis), "doctor");
     EXPECT_EQ(json["remarks"].size(), 6u);
     EXPECT_EQ(json["aa"][0]["tick_ns"], 1'000'000);

@@ -240,6 +240,43 @@ TEST(Table, in_short_says_who_is_how_much_faster_and_how_sure_that_is) {
     EXPECT_THAT(summary_section(f).notes[1], HasSubstr("95 % intervals do not tell apart"));
 }
 
+TEST(Table, in_short_does_not_count_how_many_times_as_fast_what_is_as_fast) {
+    ResultFile f = two_devices();
+    f.cases[1].statistics->median_ns = 4.004e6;
+    EXPECT_THAT(summary_section(f).notes[1],
+                testing::StartsWith("That is as fast as pthread-FX-6300 (CPU): "));
+    f.cases[1].statistics->median_ns = 4.04e6;
+    EXPECT_THAT(summary_section(f).notes[1], testing::StartsWith("That is 1.01 times as fast as "));
+}
+
+TEST(Table, in_short_counts_what_is_unstable) {
+    ResultFile f = two_devices();
+    f.cases[0].status = Status::unstable;
+    f.cases[0].reason = "the median is known to 9.0 % only (30 samples): end other programs";
+    EXPECT_THAT(
+        summary_section(f).notes,
+        testing::IsSupersetOf({"All 4 cases have a time.",
+                               "1 of 4 cases is unstable, its time is not to be trusted: the median is "
+                               "known to 9.0 % only (30 samples): end other programs."}));
+    f.cases[2].status = Status::unstable;
+    EXPECT_THAT(summary_section(f).notes.back(), HasSubstr("2 of 4 cases are unstable, their times are not"));
+}
+
+TEST(Table, a_clock_that_stayed_low_is_told_once) {
+    ResultFile f = two_devices();
+    for (Record& record : f.cases) {
+        const bool low = record.params.device == "gpu:0" && record.params.kernel == "pt";
+        record.samples.resize(3);
+        for (TimeSample& sample : record.samples) sample.probe_ns = low ? 250'000 : 200'000;
+    }
+    EXPECT_THAT(
+        remarks_section(f).notes,
+        ElementsAre("gpu:0: its clock stayed up to 20 % below its best of this run in 1 of 2 cases, which "
+                    "are timed by that clock: let it cool, or lock its clock (NVIDIA: `nvidia-smi -lgc`)"));
+    f.devices[1].type = "CPU";
+    EXPECT_THAT(remarks_section(f).notes, ElementsAre(HasSubstr("ptbench doctor")));
+}
+
 TEST(Table, in_short_says_which_work_group_is_the_fastest_where_none_is_implicit) {
     ResultFile f = two_devices();
     f.cases = {f.cases[3]};

@@ -17,11 +17,12 @@ namespace {
 constexpr int shades = 8;
 
 std::string outcome_text(const Record& record) {
-    if (!timed(record) || record.status != Status::ok)
-        return to_string(record.status) + (record.reason.empty() ? "" : ": " + record.reason);
+    const std::string status = to_string(record.status) + (record.reason.empty() ? "" : ": " + record.reason);
+    if (!timed(record)) return status;
     const std::string spread = spread_text(*record.statistics);
-    return number_text(ms(record.statistics->median_ns)) +
-           (spread == "-" ? " ms" : " ms +- " + spread + " %");
+    const std::string time =
+        number_text(ms(record.statistics->median_ns)) + (spread == "-" ? " ms" : " ms +- " + spread + " %");
+    return record.status == Status::ok ? time : time + ", " + status;
 }
 
 /// Times by work-group of cases that are otherwise the same; of each work that with the most samples.

@@ -1,8 +1,14 @@
-#include "bench/doctor/surroundings.h"
+#include "bench/measure/surroundings.h"
 
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <sstream>
+#include <thread>
 #include <vector>
 
 #include "bench/record/host.h"
@@ -82,6 +88,29 @@ bool in_virtual_machine(const fs::path& root, const std::string& cpuinfo) {
     return flags.find(" hypervisor ") != std::string::npos || fs::exists(root / "sys/hypervisor/type");
 }
 
+/// Container runtimes leave a file in the root or a word in the group's name.
+bool in_container(const fs::path& root) {
+    for (const char* file : {".dockerenv", "run/.containerenv", "run/systemd/container"})
+        if (fs::exists(root / file)) return true;
+    const std::string groups = text_of(root / "proc/self/cgroup");
+    constexpr std::array words{"/docker", "/kubepods", "/lxc", "/containerd"};
+    return std::any_of(words.begin(), words.end(),
+                       [&](const char* word) { return groups.find(word) != std::string::npos; });
+}
+
+bool has_battery(const fs::path& supplies) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(supplies, ignored))
+        if (word_of(entry.path() / "type") == "Battery" && word_of(entry.path() / "scope") != "Device")
+            return true;
+    return false;
+}
+
+int procs_running(const fs::path& root) {
+    const std::string found = value_after(text_of(root / "proc/stat"), "procs_running", ' ');
+    return found.empty() ? 0 : std::max(std::atoi(found.c_str()) - 1, 0);
+}
+
 }  // namespace
 
 int count_cpus(const std::string& list) {
@@ -101,16 +130,33 @@ Surroundings look_around(const fs::path& root) {
     const fs::path cpus = root / "sys/devices/system/cpu";
     const std::string stat = text_of(root / "proc/stat");
     Surroundings found;
-    found.load_1min = number_of(root / "proc/loadavg").value_or(0);
     found.cpus_online = count_cpus(word_of(cpus / "online"));
     found.cpus_allowed =
         count_cpus(value_after(text_of(root / "proc/self/status"), "Cpus_allowed_list", ':'));
     found.ticks = parse_cpu_ticks(stat.substr(0, stat.find('\n')));
     found.virtual_machine = in_virtual_machine(root, text_of(root / "proc/cpuinfo"));
+    found.container = in_container(root);
+    found.battery = has_battery(root / "sys/class/power_supply");
     found.governors = governors_in(cpus);
     found.boost = boost_in(cpus);
     found.quota = smallest_quota(root);
     return found;
+}
+
+double usable_cpus(const Surroundings& host) {
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+    const double allowed = host.cpus_allowed > 0 ? host.cpus_allowed : unlimited;
+    return std::min(allowed, host.quota ? host.quota->cpus : unlimited);
+}
+
+int running_now(const fs::path& root) {
+    std::array<int, 5> looks{};
+    for (int& look : looks) {
+        if (&look != looks.data()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        look = procs_running(root);
+    }
+    std::sort(looks.begin(), looks.end());
+    return looks[looks.size() / 2];
 }
 
 }  // namespace ptb

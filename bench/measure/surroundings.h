@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "bench/measure/causes.h"
+#include "bench/measure/cpu_time.h"
 
 namespace ptb {
 
@@ -19,10 +19,9 @@ struct CpuQuota {
 /// What around this process may disturb measurements, as the kernel's files say; what cannot be read stays
 /// as it is here.
 struct Surroundings {
-    double load_1min = 0;
     int cpus_online = 0, cpus_allowed = 0;  ///< of the machine, and to this process
     CpuTicks ticks;                         ///< since boot
-    bool virtual_machine = false;
+    bool virtual_machine = false, container = false, battery = false;
     std::map<std::string, int> governors;  ///< of CPU frequency, and how many CPUs have each
     std::optional<bool> boost;             ///< whether clocks may go over their nominal rate
     std::optional<CpuQuota> quota;         ///< the smallest of this process' control groups
@@ -30,6 +29,16 @@ struct Surroundings {
 
 /// Reads ROOT/proc and ROOT/sys.
 Surroundings look_around(const std::filesystem::path& root = "/");
+
+/// CPUs' worth of time that this process may use at most; infinite where nothing is known.
+double usable_cpus(const Surroundings& host);
+
+/// Threads that run or wait for a CPU now, this one left out: the median of five looks within 40 ms. A load
+/// average would still hold what ended a minute ago.
+int running_now(const std::filesystem::path& root = "/");
+
+/// Whether times on that many CPUs will vary.
+constexpr bool is_busy(int running, int cpus) { return running > 0 && 2 * running >= cpus; }
 
 /// CPUs in a list of the kernel's: "0-3,8" has 5.
 int count_cpus(const std::string& list);
