@@ -74,6 +74,15 @@ bool carries_gaps(const PtScene& scene, int path_length) {
 /// The kernel divides by products, which are exact up to here.
 constexpr std::uint32_t most_rows = (1u << 22) - 1;
 
+std::string placement_refusal(const Scene& scene) {
+    const Placement placement = place(scene);
+    if (!placement.lost) return "";
+    const Sphere& sphere = scene.spheres[*placement.lost];
+    return fmt::format(
+        "scene {}: /spheres/{}: pt's single precision loses a radius of {:g} at a distance of {:g}",
+        scene.name, *placement.lost, sphere.radius, length(sphere.centre - placement.origin));
+}
+
 std::string rows_refusal(const RenderJob& job) {
     if (static_cast<std::uint32_t>(job.size.height) > most_rows)
         return fmt::format("size {}x{}: pt takes at most {} rows", job.size.width, job.size.height,
@@ -95,7 +104,7 @@ std::uint32_t strata_columns(std::uint32_t spp) {
 
 std::string pt_refusal(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     for (const std::string& reason :
-         {memory_refusal(device, make_pt_scene(scene), job),
+         {placement_refusal(scene), memory_refusal(device, make_pt_scene(scene), job),
           pt_film_refusal(device, job.size, job.variant.film_memory), rows_refusal(job)})
         if (!reason.empty()) return reason;
     return "";
