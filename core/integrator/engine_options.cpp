@@ -75,6 +75,15 @@ bool carries_gaps(const DeviceScene& scene, int path_length) {
 /// The kernel divides by products, which are exact up to here.
 constexpr std::uint32_t most_rows = (1u << 22) - 1;
 
+std::string placement_refusal(const Integrator& row, const Scene& scene) {
+    const Placement placement = place(scene);
+    if (!placement.lost) return "";
+    const Sphere& sphere = scene.spheres[*placement.lost];
+    return fmt::format(
+        "scene {}: /spheres/{}: {}'s single precision loses a radius of {:g} at a distance of {:g}", scene.name,
+        *placement.lost, row.id, sphere.radius, length(sphere.centre - placement.origin));
+}
+
 std::string rows_refusal(const Integrator& row, const RenderJob& job) {
     if (static_cast<std::uint32_t>(job.size.height) > most_rows)
         return fmt::format("size {}x{}: {} takes at most {} rows", job.size.width, job.size.height,
@@ -102,7 +111,7 @@ DeviceScene device_scene_for(const Integrator& row, const Scene& scene) {
 
 std::string engine_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     for (const std::string& reason :
-         {memory_refusal(row, device, device_scene_for(row, scene), job),
+         {placement_refusal(row, scene), memory_refusal(row, device, device_scene_for(row, scene), job),
           film_refusal(device, job.size, job.variant.film_memory), rows_refusal(row, job)})
         if (!reason.empty()) return reason;
     return "";

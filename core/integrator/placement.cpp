@@ -15,7 +15,7 @@ constexpr double rounding = 0x1p-24;  ///< of a number in single precision, at m
 struct Seen {
     double distance;  ///< of the centre
     double radius;
-    double reach;  ///< most that rays which matter start from the origin
+    double reach;  ///< rays that matter start so far from the origin: at the camera, and around the sphere
 };
 
 /// What the gap's terms, as kernels/scene/hit.h has them, do to a distance.
@@ -55,14 +55,10 @@ double finest_detail(const Scene& scene) {
     return finest;
 }
 
-/// Rays start at the camera and at spheres that scatter. Of these the part that is near matters: a sphere is
-/// hardly ever hit from where it looks small.
-double reach_from(const Scene& scene, const Vec3& origin) {
-    double reach = length(scene.camera.position - origin);
-    for (const Sphere& sphere : scene.spheres)
-        if (scene.materials[static_cast<std::size_t>(sphere.material)].scatters)
-            reach = std::max(reach, clearance(sphere, origin));
-    return reach;
+Seen seen_by(const Scene& scene, const Sphere& sphere, const Vec3& origin) {
+    // Not at other spheres: from where it looks small, it is hit as rarely as it is met with large errors.
+    return {length(sphere.centre - origin), sphere.radius,
+            std::max(length(scene.camera.position - origin), clearance(sphere, origin))};
 }
 
 struct Candidate {
@@ -71,16 +67,16 @@ struct Candidate {
 };
 
 Candidate candidate_at(const Scene& scene, const Vec3& origin, double detail) {
-    const double reach = reach_from(scene, origin);
-    Candidate result{{origin, {}, 0}, 0};
+    Candidate result{{origin, {}, 0, std::nullopt}, 0};
+    Placement& placement = result.placement;
     for (const Sphere& sphere : scene.spheres) {
-        const Seen seen{length(sphere.centre - origin), sphere.radius, reach};
+        const Seen seen = seen_by(scene, sphere, origin);
         const Form form = best_form(seen, bearable_error * detail);
         const double error = error_of(form, seen);
-        result.placement.forms.push_back(form);
         result.error += error;
-        if (form == Form::plain)
-            result.placement.plain_error = std::max(result.placement.plain_error, error / detail);
+        if (form == Form::plain) placement.plain_error = std::max(placement.plain_error, error / detail);
+        if (error > sphere.radius / 2 && !placement.lost) placement.lost = placement.forms.size();
+        placement.forms.push_back(form);
     }
     return result;
 }

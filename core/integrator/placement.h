@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -19,6 +21,7 @@ struct Placement {
     Vec3 origin;              ///< of the device's coordinates; the scene's own if all spheres are plain there
     std::vector<Form> forms;  ///< a sphere each, in the scene's order
     double plain_error = 0;   ///< of plain spheres' distances, at most, in lengths of the finest detail
+    std::optional<std::size_t> lost;  ///< a sphere so small where it is that no form finds it
 };
 
 /// The largest error of that kind that a plain sphere may have.

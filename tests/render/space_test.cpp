@@ -84,5 +84,18 @@ TEST_P(Wall, is_met_where_it_is_however_large) {
 INSTANTIATE_TEST_SUITE_P(kinds, Wall, testing::Values("matte", "water", "room"),
                          [](const auto& kind) { return kind.param; });
 
+/// More spheres than a kernel argument holds: small ones of matte, glass and mirror in a row.
+Scene crowded(Scene scene, const Vec3& first) {
+    for (int i = 0; i < 20; ++i) scene.spheres.push_back({first + Vec3{0.4 * i - 4, 0, 0}, 0.15, 1 + i % 3});
+    return scene;
+}
+
+TEST(Space, has_room_for_many_spheres) {
+    const Scene apart = crowded(balls_far_apart(10'000), {0, 2.5, 10'000});
+    expect_truth(apart, truth_of(apart), "many_apart");
+    const Scene water = crowded(balls_at_a_wall(1e8, "water"), {0, 1, -3});
+    expect_truth(water, truth_of(water), "many_in_water");
+}
+
 }  // namespace
 }  // namespace ptb

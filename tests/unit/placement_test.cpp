@@ -94,6 +94,26 @@ TEST(Placement, takes_a_wall_for_vast_whose_radius_drowns_the_balls_beside_it) {
     EXPECT_THAT(place(scene).forms, ElementsAre(Form::plain, Form::plain, Form::plain, Form::vast));
 }
 
+TEST(Placement, of_a_scattering_sky_far_away_leaves_a_wall_vast) {
+    Scene scene = two_balls();
+    scene.spheres[0] = {{0, 0, 0}, 1e7, 1};
+    scene.spheres.push_back({{0, -1e6 - 1, 0}, 1e6, 1});
+    EXPECT_EQ(place(scene).forms[3], Form::vast);
+}
+
+TEST(Placement, tells_a_ball_that_single_precision_loses) {
+    Scene scene = two_balls();
+    EXPECT_EQ(place(scene).lost, std::nullopt);
+    EXPECT_EQ(pt_refusal({}, scene, {}), "");
+    scene.name = "dust";
+    scene.spheres[2] = {{0, 1e5, 0}, 1e-3, 1};
+    scene.spheres.push_back({{0, -1e5, 0}, 1e-3, 1});
+    EXPECT_NE(place(scene).lost, std::nullopt);
+    EXPECT_THAT(pt_refusal({}, scene, {}),
+                testing::MatchesRegex("scene dust: /spheres/[23]: pt's single precision loses a radius of "
+                                      "0.001 at a distance of [12]00000"));
+}
+
 TEST(Placement, of_a_camera_over_a_plain_is_at_the_camera) {
     Scene scene = two_balls();
     scene.spheres = {{{3, 0, 0}, 1e7, 1}};
