@@ -1,6 +1,7 @@
 """A mistake in flags, axes, configs or scenes: exit code 2, one line that says what and what is allowed, no file."""
 
 import json
+import re
 import unittest
 
 from ptbench import SOURCE, CliTest
@@ -54,6 +55,20 @@ class Flags(CliTest):
                 axis = {"--wg": "work_group"}.get(words[0], words[0].strip("-").replace("-", "_"))
                 line = self.refused(*words, says=[allowed])
                 self.assertTrue(words[0] in line or axis in line, line)
+
+    def test_an_empty_value_of_any_option_that_help_lists(self):
+        """What a script passes on from a variable that nobody set must not switch a gate off."""
+        tried = 0
+        for command in ("run", "list", "render", "compare", "ab", "tune", "doctor", "report"):
+            listed = self.run_ok(command, "--help").stdout
+            for flag in re.findall(r"^ +(?:-\w,)?(--[a-z-]+) (?:TEXT|VALUES|INT|UINT|FLOAT)", listed, re.MULTILINE):
+                with self.subTest(command=command, flag=flag):
+                    self.refused(command, flag, "", says=[f'{flag}: found ""; allowed: '])
+                    tried += 1
+        self.assertGreater(tried, 80)
+        self.refused("--dry-run", "--baseline=", "--csv", "x", says=['--baseline: found ""', "a name or a result file"])
+        self.assert_refused("--dry-run", PTBENCH_BASELINE="", says=['--baseline: found ""', "PTBENCH_BASELINE"])
+        self.assert_refused("--dry-run", PTBENCH_QUIET="", says=['--quiet: found ""', "true, false"])
 
     def test_work_that_no_counter_holds(self):
         self.refused("--spp", "2147483647", says=["spp x path_length", "2147483647 x 128", "4294967296"])

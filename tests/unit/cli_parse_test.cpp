@@ -120,6 +120,48 @@ TEST(cli_parse, the_environment_stands_in_for_what_is_not_given) {
     EXPECT_EQ(given.axis_values.at("spp"), "8");
 }
 
+/// How the words of a command begin; those of a run need none.
+Words begun(const CommandText& command) { return command.name == "ptbench" ? Words() : Words{command.name}; }
+
+void expect_empty_refused(Words words, const Words& last, const std::string& flag, const std::string& says) {
+    words.insert(words.end(), last.begin(), last.end());
+    const std::string error = error_of(words);
+    EXPECT_EQ(error.find(flag + ": found \"\"; allowed: "), 0U)
+        << words.front() << " " << flag << ": " << error;
+    EXPECT_NE(error.find(says), std::string::npos) << error;
+}
+
+TEST(cli_parse, an_empty_value_of_any_option_is_refused) {
+    int options = 0;
+    for (const CommandText& command : command_texts())
+        for (const OptionText& option : command.options) {
+            if (option.value.empty()) continue;
+            const std::string flag = option.flags.empty() ? "files" : option.flags.back();
+            expect_empty_refused(begun(command), option.flags.empty() ? Words{""} : Words{flag, ""}, flag,
+                                 "");
+            if (!option.flags.empty()) expect_empty_refused(begun(command), {flag + "="}, flag, "");
+            if (!option.flags.empty())
+                expect_empty_refused(begun(command), {flag + "=", "--quiet"}, flag, "");
+            ++options;
+        }
+    EXPECT_GT(options, 80) << "the list of options is not whole";
+}
+
+TEST(cli_parse, an_empty_variable_of_any_option_is_refused_unless_the_option_is_given) {
+    int variables = 0;
+    for (const CommandText& command : command_texts())
+        for (const OptionText& option : command.options) {
+            if (option.variable.empty()) continue;
+            const Variable empty(option.variable.c_str(), "");
+            expect_empty_refused(begun(command), {}, option.flags.back(), "(" + option.variable + ")");
+            ++variables;
+        }
+    EXPECT_GT(variables, 40) << "the list of options is not whole";
+    const Variable empty("PTBENCH_SAMPLES", "");
+    EXPECT_EQ(run_flags({"--samples", "3"}).samples, 3);
+    EXPECT_EQ(parse_options({"compare", "a", "b"}).command, Options::Command::compare) << "not its option";
+}
+
 TEST(cli_parse, help_and_version_are_text) {
     EXPECT_NE(parse_options({"--help"}).text.find("--all-devices"), std::string::npos);
     EXPECT_NE(parse_options({"render", "--help"}).text.find("--output"), std::string::npos);
