@@ -18,12 +18,6 @@
 namespace ptb {
 namespace {
 
-/// A journal's first line is JSON by itself; a result file's is its first bracket.
-bool is_journal(const std::filesystem::path& file) {
-    const std::string text = read_text(file);
-    return text.substr(0, text.find('\n')).size() > 2;
-}
-
 std::map<Case, Record> by_case(const std::vector<Record>& records) {
     std::map<Case, Record> found;
     for (const Record& record : records) found.try_emplace(record.params, record);
@@ -48,10 +42,6 @@ RunFingerprint fingerprint_with_kernels(const ResultFile& now, const std::vector
 }
 
 }  // namespace
-
-ResultFile read_run(const std::filesystem::path& file) {
-    return is_journal(file) ? read_journal(file) : read_result(file);
-}
 
 std::optional<ResultFile> earlier_run(const RunFlags& flags) {
     if (flags.resume.empty()) return std::nullopt;

@@ -15,9 +15,6 @@ struct NotComparable : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// What a journal or a result file holds. Throws UsageError.
-ResultFile read_run(const std::filesystem::path& file);
-
 /// The run that --resume names, from its journal or its result file. Throws UsageError.
 std::optional<ResultFile> earlier_run(const RunFlags& flags);
 

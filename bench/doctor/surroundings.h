@@ -6,15 +6,9 @@
 #include <string>
 
 #include "bench/measure/causes.h"
+#include "bench/record/cpus.h"
 
 namespace ptb {
-
-/// A limit of CPU time that a control group has.
-struct CpuQuota {
-    double cpus = 0;
-    std::string file;  ///< that says so
-    bool operator==(const CpuQuota&) const = default;
-};
 
 /// What around this process may disturb measurements, as the kernel's files say; what cannot be read stays
 /// as it is here.
@@ -30,8 +24,5 @@ struct Surroundings {
 
 /// Reads ROOT/proc and ROOT/sys.
 Surroundings look_around(const std::filesystem::path& root = "/");
-
-/// CPUs in a list of the kernel's: "0-3,8" has 5.
-int count_cpus(const std::string& list);
 
 }  // namespace ptb

@@ -141,6 +141,7 @@ template <>
 inline constexpr auto fields<HostInfo> = std::make_tuple(
     field("hostname", &HostInfo::hostname), field("os", &HostInfo::os), field("kernel", &HostInfo::kernel),
     field("cpu", &HostInfo::cpu), field("cores", &HostInfo::cores),
+    field("cpus_allowed", &HostInfo::cpus_allowed), field("cpu_quota", &HostInfo::cpu_quota),
     field("memory_bytes", &HostInfo::memory_bytes), field("load_1min", &HostInfo::load_1min));
 
 template <>

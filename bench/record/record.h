@@ -175,6 +175,8 @@ struct BrokenIcd {
 struct HostInfo {
     std::string hostname, os, kernel, cpu;
     int cores = 0;
+    int cpus_allowed = 0;             ///< by affinity; 0: unknown
+    std::optional<double> cpu_quota;  ///< CPUs whose time the smallest control group allows
     std::uint64_t memory_bytes = 0;
     double load_1min = 0;
     bool operator==(const HostInfo&) const = default;
