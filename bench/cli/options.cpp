@@ -40,7 +40,7 @@ struct AxisFlag {
 };
 constexpr AxisFlag axis_flags[] = {
     {"kernel", "--kernel", "pt, thesis, ..."},
-    {"scene", "--scene", "name of a scene, or a scene file"},
+    {"scene", "--scene", "name of a scene, or a scene file; a comma in its path is \\,"},
     {"size", "--size", "pixels: 1024 or 640x480"},
     {"spp", "--spp", "samples per pixel: 10,100,1000"},
     {"path_length", "--path-length", "most segments in a path"},

@@ -33,7 +33,9 @@ std::optional<bool> boost_in(const fs::path& cpus) {
 
 bool in_virtual_machine(const fs::path& root, const std::string& cpuinfo) {
     const std::string flags = " " + value_after(cpuinfo, "flags", ':') + " ";
-    return flags.find(" hypervisor ") != std::string::npos || fs::exists(root / "sys/hypervisor/type");
+    std::error_code ignored;
+    return flags.find(" hypervisor ") != std::string::npos ||
+           fs::exists(root / "sys/hypervisor/type", ignored);
 }
 
 }  // namespace

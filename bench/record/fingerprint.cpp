@@ -32,8 +32,8 @@ void add_devices(RunFingerprint& facts, const ResultFile& run) {
 }
 
 void add_options(RunFingerprint& facts, const ResultFile& run) {
-    static const std::set<std::string> not_in_a_time{"name", "description", "device", "timeout",
-                                                     "max_total_time"};
+    static const std::set<std::string> not_in_a_time{"name",    "description",    "device",
+                                                     "timeout", "max_total_time", "kernel_dir"};
     if (run.run.settings.json.empty()) return;
     const Json settings = parse_json(run.run.settings.json, "settings");
     for (const auto& [key, value] : settings.items())

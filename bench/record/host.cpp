@@ -79,7 +79,9 @@ HostInfo host_info() {
 
 RunInfo run_info(std::vector<std::string> argv, const std::string& config, std::uint64_t seed) {
     RunInfo info;
+    std::error_code unknown;
     info.argv = std::move(argv);
+    info.folder = std::filesystem::current_path(unknown).string();
     info.config = config;
     info.seed = seed;
     info.tool_version = version::tool;

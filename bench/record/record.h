@@ -192,6 +192,7 @@ struct JsonText {
 struct RunInfo {
     std::vector<std::string> argv;
     std::string config, tool_version, git_sha, compiler, started_at;  ///< started_at: ISO 8601, UTC
+    std::string folder;  ///< in which it began: relative paths are from there
     bool git_dirty = false;
     std::uint64_t seed = 0;
     bool interrupted = false;

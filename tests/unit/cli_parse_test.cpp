@@ -174,6 +174,8 @@ TEST(cli_parse, values_may_be_one_a_list_or_a_range) {
     EXPECT_EQ(axis_of_values("spp", "10,100").points, (Points{{"10"}, {"100"}}));
     EXPECT_EQ(axis_of_values("spp", "[10,100]").points, (Points{{"10"}, {"100"}}));
     EXPECT_EQ(axis_of_values("spp", "1:4:x2").points, (Points{{"1"}, {"2"}, {"4"}}));
+    EXPECT_EQ(axis_of_values("scene", "a\\,b.json,c").points, (Points{{"a,b.json"}, {"c"}}));
+    EXPECT_EQ(parse_axis("(scene,spp)=[(a\\,b,2),(c,3)]").points, (Points{{"a,b", "2"}, {"c", "3"}}));
     EXPECT_EQ(axis_of_values("work_group", "implicit,16x16").points, (Points{{"implicit"}, {"16x16"}}));
 }
 
@@ -227,6 +229,17 @@ TEST_F(outputs, go_into_a_folder_named_after_time_and_config) {
                                         "ptbench-results/2016-05-17T12-00-00Z-a-b/table.md"}));
     const Outputs second(RunFlags(), "a/b", noon);
     EXPECT_EQ(second.journal(), "ptbench-results/2016-05-17T12-00-00Z-a-b-2/journal.jsonl");
+}
+
+TEST_F(outputs, a_folder_is_held_while_a_run_lasts) {
+    RunFlags flags;
+    flags.out = "out";
+    {
+        Outputs first(flags, "quick", noon);
+        EXPECT_THROW(Outputs(flags, "quick", noon), UsageError);
+        first.write(ResultFile(), PublishedTable());
+    }
+    EXPECT_NO_THROW(Outputs(flags, "quick", noon));
 }
 
 TEST_F(outputs, existing_files_survive_the_check) {

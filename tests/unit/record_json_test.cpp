@@ -69,6 +69,7 @@ ResultFile full_result() {
              "abc",
              "GCC 12",
              "2026-01-01T00:00:00Z",
+             "/home/someone",
              true,
              7,
              false,
@@ -77,7 +78,7 @@ ResultFile full_result() {
              {"2026-01-02T00:00:00Z"},
              {"a.json 12"},
              {failed_record().params}};
-    f.host = {"box", "Linux", "6.1", "FX-6300", 6, 1u << 30, 0.5};
+    f.host = {"box", "Linux", "6.1", "FX-6300", 6, 4, 1.5, 1u << 30, 0.5};
     DeviceInfo d;
     d.key = "pocl:0";
     d.name = "Some \"CPU\" (R), fast";
