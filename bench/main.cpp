@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,9 @@ int main(int argc, char** argv) {
         return fail(ptb::exit_codes::not_comparable, error.what());
     } catch (const ptb::NotComparable& error) {
         return fail(ptb::exit_codes::not_comparable, error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        return fail(ptb::exit_codes::failed,
+                    "cannot use " + error.path1().string() + ": " + error.code().message());
     } catch (const std::exception& error) {
         return fail(ptb::exit_codes::failed, error.what());
     }

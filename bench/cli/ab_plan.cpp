@@ -34,7 +34,9 @@ Side running(const std::string& name, const GateSide& side, const Config& config
              const Stopped& stopped) {
     const auto silence = std::chrono::duration_cast<std::chrono::milliseconds>(
         std::chrono::duration<double>(config.timeout_s));
-    const WorkerLaunch launch{std::filesystem::absolute(side.binary).string(), split_words(common.launcher)};
+    std::error_code ignored;
+    const WorkerLaunch launch{std::filesystem::absolute(side.binary, ignored).string(),
+                              split_words(common.launcher)};
     return {name, process_channels(launch, silence, stopped), config.measure};
 }
 

@@ -1,5 +1,9 @@
+#include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <set>
+
+#include <fmt/format.h>
 
 #include "bench/cli/options.h"
 #include "bench/cli/resume.h"
@@ -31,12 +35,21 @@ void apply(const std::optional<Value>& flag, Value& value) {
     if (flag) value = *flag;
 }
 
+/// The least number gives way to the most, unless it was asked for.
+void apply_samples(const RunFlags& flags, MeasureOptions& measure) {
+    apply(flags.samples, measure.min_samples);
+    apply(flags.samples, measure.max_samples);
+    apply(flags.min_samples, measure.min_samples);
+    apply(flags.max_samples, measure.max_samples);
+    if (flags.min_samples && measure.min_samples > measure.max_samples)
+        throw UsageError(fmt::format("--min-samples: found {}; allowed: at most --max-samples, {}",
+                                     measure.min_samples, measure.max_samples));
+    measure.min_samples = std::min(measure.min_samples, measure.max_samples);
+}
+
 void apply_measuring(const RunFlags& flags, Config& config) {
     if (flags.warmup) config.measure.warmup = flags.warmup;
-    apply(flags.samples, config.measure.min_samples);
-    apply(flags.samples, config.measure.max_samples);
-    apply(flags.min_samples, config.measure.min_samples);
-    apply(flags.max_samples, config.measure.max_samples);
+    apply_samples(flags, config.measure);
     apply(flags.max_time_s, config.measure.max_time_s);
     apply(flags.seed, config.measure.seed);
     apply(flags.timeout_s, config.timeout_s);
@@ -45,9 +58,19 @@ void apply_measuring(const RunFlags& flags, Config& config) {
     if (flags.skip_time) config.measure.skip_time = true;
 }
 
+/// A comma in the path of a file that there is separates nothing.
+std::string with_commas_of_files(const std::string& axis, std::string values) {
+    std::error_code ignored;
+    if (axis != "scene" || !std::filesystem::is_regular_file(values, ignored)) return values;
+    for (auto comma = values.find(','); comma != std::string::npos; comma = values.find(',', comma + 2))
+        values.insert(comma, "\\");
+    return values;
+}
+
 }  // namespace
 
-Axis axis_of_values(const std::string& axis, const std::string& values) {
+Axis axis_of_values(const std::string& axis, const std::string& text) {
+    const std::string values = with_commas_of_files(axis, text);
     const bool range =
         values.find(':') != std::string::npos && std::isdigit(static_cast<unsigned char>(values[0]));
     const bool bare_list = !values.starts_with('[') && (range || values.find(',') != std::string::npos);

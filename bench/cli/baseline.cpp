@@ -15,9 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path baseline_file(const std::string& name, const fs::path& folder) {
+    std::error_code ignored;
     for (const fs::path& file :
          {fs::path(name), folder / (name + ".json"), data_dir() / "results" / "baselines" / (name + ".json")})
-        if (fs::is_regular_file(file)) return file;
+        if (fs::is_regular_file(file, ignored)) return file;
     throw UsageError(fmt::format("--baseline: found \"{}\", which is no file, and {}.json is not in {}",
                                  printable(name), printable(name), folder.string()));
 }

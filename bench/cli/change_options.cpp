@@ -28,7 +28,7 @@ void files_option(CLI::App& app, const char* flag, std::vector<std::string>& fil
 }  // namespace
 
 void add_compare_flags(CLI::App& app, CompareFlags& flags) {
-    app.add_option("files", flags.files, "OLD.json NEW.json; with --history: NEW.json");
+    app.add_option("files", flags.files, "OLD.json NEW.json; with --history: NEW.json (- for stdin)");
     files_option(app, "--base", flags.base, "files of the old version, one a session");
     files_option(app, "--new", flags.now, "files of the new version, one a session");
     files_option(app, "--history", flags.history, "files of earlier sessions, of which the last 30 count");

@@ -27,7 +27,8 @@ void check_kernel(const std::string& kernel) {
 
 void check_scene(const std::string& scene) {
     const std::filesystem::path file = scene_file(scene, data_dir());
-    if (!std::filesystem::is_regular_file(file)) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) {
         const auto names = scene_names();
         throw UsageError(
             fmt::format("scene: found \"{}\", which is no file{}; allowed: a file, or one of: {}",

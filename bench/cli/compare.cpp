@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -45,6 +46,10 @@ Files files_of(const CompareFlags& flags) {
         throw UsageError(
             "compare: allowed: OLD.json NEW.json, or --base FILES --new FILES, or NEW.json --history FILES, "
             "or --replay FILE");
+    std::vector<std::string> all = files.base;
+    all.insert(all.end(), files.now.begin(), files.now.end());
+    if (std::count(all.begin(), all.end(), "-") > 1)
+        throw UsageError("compare: found - (stdin) twice; allowed: once");
     return files;
 }
 

@@ -97,8 +97,8 @@ void refuse_shared_files(const Destinations& files) {
     for (const auto& [format, file] : files) {
         std::error_code ignored;
         if (file == to_stdout || (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))) continue;
-        const auto [entry, is_new] =
-            format_of.try_emplace(fs::weakly_canonical(fs::absolute(file), ignored), format);
+        const fs::path real = fs::weakly_canonical(fs::absolute(file, ignored), ignored);
+        const auto [entry, is_new] = format_of.try_emplace(real.empty() ? fs::path(file) : real, format);
         if (entry->second != format)
             throw UsageError(
                 fmt::format("{} is to hold both {} and {}; name two files", file, entry->second, format));

@@ -77,6 +77,7 @@ void show_comparison(const Comparison& comparison, const std::string& title, con
     for (const std::string& field : comparison.differing)
         put(stderr, fmt::format("not comparable: {}{}\n", field,
                                 comparison.rows.empty() ? "; --allow-cross shows ratios" : ""));
+    for (const std::string& field : comparison.notes) put(stderr, fmt::format("note: {}\n", field));
     const std::string json = comparison_text(comparison);
     if (flags.json == "-") put(stdout, json);
     if (!flags.json.empty() && flags.json != "-") write_file(flags.json, json);

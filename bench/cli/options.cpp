@@ -40,7 +40,7 @@ struct AxisFlag {
 };
 constexpr AxisFlag axis_flags[] = {
     {"kernel", "--kernel", "pt, thesis, ..."},
-    {"scene", "--scene", "name of a scene, or a scene file"},
+    {"scene", "--scene", "name of a scene, or a scene file; a comma in its path is \\,"},
     {"size", "--size", "pixels: 1024 or 640x480"},
     {"spp", "--spp", "samples per pixel: 10,100,1000"},
     {"path_length", "--path-length", "most segments in a path"},
@@ -153,6 +153,54 @@ void add_run(CLI::App& app, RunFlags& flags, bool& list) {
     app.add_flag("-l,--list", list, "same as `ptbench list`");
 }
 
+std::vector<std::string> flags_of(const CLI::Option& option) {
+    std::vector<std::string> flags;
+    for (const auto& name : option.get_snames()) flags.push_back("-" + name);
+    for (const auto& name : option.get_lnames()) flags.push_back("--" + name);
+    return flags;
+}
+
+/// CLI11 says "TEXT", "TEXT:DIR" or "TEXT:{auto,always,never}".
+OptionText option_text(const CLI::Option& option) {
+    OptionText text;
+    text.flags = flags_of(option);
+    text.help = option.get_description();
+    text.variable = option.get_envname();
+    if (option.get_expected_max() == 0) return text;
+    const std::string type = option.get_type_name();
+    const auto colon = type.find(':');
+    text.value = type.substr(0, colon);
+    const std::string check = colon == std::string::npos ? "" : type.substr(colon + 1);
+    text.is_folder = check == "DIR";
+    if (check.starts_with("{")) text.choices = CLI::detail::split(check.substr(1, check.size() - 2), ',');
+    return text;
+}
+
+/// An empty value is refused alike wherever an option takes one. What checks numbers says better what is
+/// allowed, so it comes first.
+void refuse_empty_values(CLI::App& app) {
+    for (CLI::Option* const each : app.get_options()) {
+        const OptionText text = option_text(*each);
+        if (text.value.empty()) continue;
+        const auto check = not_empty(text.choices.empty() ? "a value that is not empty: " + text.help
+                                                          : fmt::format("{}", fmt::join(text.choices, ", ")));
+        const bool number = text.value != "TEXT" && text.value != "VALUES";
+        number ? each->check(check) : each->transform(check);
+    }
+}
+
+/// CLI11 takes a variable that is empty for one that is not set.
+void refuse_empty_variables(CLI::App& app) {
+    for (CLI::Option* const each : app.get_options()) {
+        const char* const value = std::getenv(each->get_envname().c_str());
+        if (value == nullptr || *value != '\0' || each->count() > 0) continue;
+        if (each->get_expected_max() == 0)
+            throw CLI::ValidationError(each->get_name(), "found \"\"; allowed: true, false");
+        each->add_result("");
+        each->run_callback();
+    }
+}
+
 /// The command line's grammar, bound to `options`.
 struct Grammar {
     CLI::App app{description, "ptbench"};
@@ -193,6 +241,7 @@ struct Grammar {
         for (auto* command : {&app, list, render, compare, ab, tune, doctor, report, worker}) {
             command->set_version_flag("--version", std::string("ptbench ") + version::tool);
             command->allow_extras();
+            refuse_empty_values(*command);
         }
     }
 
@@ -210,20 +259,13 @@ struct Grammar {
         add_axis_flags(*render, flags.axis_values, false);
     }
 
-    const CLI::App& used() const {
-        for (const auto* command : {list, render, compare, ab, tune, doctor, report, worker}) {
+    CLI::App& used() {
+        for (auto* command : {list, render, compare, ab, tune, doctor, report, worker}) {
             if (command->parsed()) return *command;
         }
         return app;
     }
 };
-
-std::vector<std::string> flags_of(const CLI::Option& option) {
-    std::vector<std::string> flags;
-    for (const auto& name : option.get_snames()) flags.push_back("-" + name);
-    for (const auto& name : option.get_lnames()) flags.push_back("--" + name);
-    return flags;
-}
 
 std::vector<std::string> known_flags(const CLI::App& app) {
     std::vector<std::string> flags;
@@ -243,30 +285,16 @@ void add_names(OptionText& text) {
     text.is_file = flag == "--scene" || flag.ends_with("config");
 }
 
-/// CLI11 says "TEXT", "TEXT:DIR" or "TEXT:{auto,always,never}".
-OptionText option_text(const CLI::Option& option) {
-    OptionText text;
-    text.flags = flags_of(option);
-    text.help = option.get_description();
-    text.variable = option.get_envname();
-    if (option.get_expected_max() == 0) return text;
-    const std::string type = option.get_type_name();
-    const auto colon = type.find(':');
-    text.value = type.substr(0, colon);
-    const std::string check = colon == std::string::npos ? "" : type.substr(colon + 1);
-    text.is_folder = check == "DIR";
-    if (check.starts_with("{")) text.choices = CLI::detail::split(check.substr(1, check.size() - 2), ',');
-    add_names(text);
-    return text;
-}
-
 CommandText command_text(const CLI::App& app) {
     CommandText text{app.get_name(), app.get_description(), {}};
-    for (const CLI::Option* each : app.get_options()) text.options.push_back(option_text(*each));
+    for (const CLI::Option* each : app.get_options()) {
+        text.options.push_back(option_text(*each));
+        add_names(text.options.back());
+    }
     return text;
 }
 
-void refuse_leftovers(const Grammar& grammar, const std::string& first_word) {
+void refuse_leftovers(Grammar& grammar, const std::string& first_word) {
     const auto left = grammar.app.remaining(true);
     if (left.empty()) return;
     const std::string word = left.front().substr(0, left.front().find('='));
@@ -282,7 +310,7 @@ void refuse_leftovers(const Grammar& grammar, const std::string& first_word) {
 }
 
 /// What stands before a command would be of `run`, and would do nothing.
-void refuse_late_command(const Grammar& grammar, const std::string& first_word) {
+void refuse_late_command(Grammar& grammar, const std::string& first_word) {
     const std::string command = grammar.used().get_name();
     if (&grammar.used() == &grammar.app || command == first_word) return;
     throw UsageError(fmt::format("{}: a command comes first: ptbench {} [OPTIONS]", command, command));
@@ -312,9 +340,21 @@ std::string reason_of(const CLI::ParseError& error, const std::vector<std::strin
     return value == nullptr ? text : fmt::format("{} ({})", text, variable_of(flag));
 }
 
+/// "--csv=" as "--csv" and "": CLI11 would take the next word for the value.
+std::vector<std::string> with_empty_values(const std::vector<std::string>& arguments) {
+    std::vector<std::string> words;
+    for (const std::string& word : arguments) {
+        const bool empty_value = word.starts_with("--") && word.find('=') == word.size() - 1;
+        words.push_back(empty_value ? word.substr(0, word.size() - 1) : word);
+        if (empty_value) words.emplace_back();
+    }
+    return words;
+}
+
 }  // namespace
 
 Options parse_options(std::vector<std::string> arguments) {
+    arguments = with_empty_values(arguments);
     const std::string first_word = arguments.empty() ? "" : arguments.front();
     if (first_word == "run") arguments.erase(arguments.begin());
     std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 takes a vector in
@@ -325,6 +365,7 @@ Options parse_options(std::vector<std::string> arguments) {
         grammar.app.parse(words);
         refuse_leftovers(grammar, first_word);
         refuse_late_command(grammar, first_word);
+        refuse_empty_variables(grammar.used());
         options.command = command_of(grammar);
     } catch (const CLI::CallForHelp&) {
         options.text = grammar.used().help(&grammar.used() == &grammar.app ? "" : "ptbench");

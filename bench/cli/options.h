@@ -126,7 +126,7 @@ Config configured(const RunFlags& flags, const CommonFlags& common,
                   const std::optional<ResultFile>& earlier = std::nullopt);
 
 /// "10,100" -> the axis "spp=[10,100]"
-Axis axis_of_values(const std::string& axis, const std::string& values);
+Axis axis_of_values(const std::string& axis, const std::string& text);
 
 /// The words of a launcher: "srun -w node7".
 std::vector<std::string> split_words(const std::string& text);

@@ -22,7 +22,8 @@ constexpr auto journal_name = "journal.jsonl", result_name = "result.json";
 fs::path default_folder(const std::string& config, const std::string& started_at) {
     const fs::path base = fs::path("ptbench-results") / file_safe(started_at + "-" + config);
     fs::path folder = base;
-    for (int n = 2; fs::exists(folder); ++n) folder = fmt::format("{}-{}", base.string(), n);
+    std::error_code ignored;
+    for (int n = 2; fs::exists(folder, ignored); ++n) folder = fmt::format("{}-{}", base.string(), n);
     return folder;
 }
 
@@ -97,6 +98,9 @@ Outputs::Outputs(const RunFlags& flags, const std::string& config, const std::st
                         {"html", flags.html}});
     refuse_shared_files(files());
     created_ = create_folder(folder_);
+    if (!lock_.take(folder_))
+        throw UsageError(
+            fmt::format("--out: {} is in use by another run; name another folder", folder_.string()));
     check_asked(asked_);
     check_writable("--out", folder_ / result_name);
 }
@@ -138,8 +142,9 @@ std::vector<Picture> Outputs::made(const std::vector<Record>& records) const {
     for (const Case& c : improving(cases))
         if (left_a_picture(*record_of.at(c))) maker[picture_name(c)] = c;
     std::vector<Picture> pictures;
+    std::error_code ignored;
     for (const auto& [file, c] : maker)
-        if (fs::exists(folder_ / file)) pictures.push_back({c, file});
+        if (fs::exists(folder_ / file, ignored)) pictures.push_back({c, file});
     return pictures;
 }
 
@@ -151,8 +156,9 @@ void Outputs::write(const ResultFile& result, const PublishedTable& published) {
     try {
         write_all(result, published);
     } catch (const std::exception& error) {
-        throw std::runtime_error(
-            fmt::format("{}; the run's data is in {}", error.what(), fs::absolute(journal()).string()));
+        std::error_code ignored;
+        throw std::runtime_error(fmt::format("{}; the run's data is in {}", error.what(),
+                                             fs::absolute(journal(), ignored).string()));
     }
 }
 
@@ -173,8 +179,10 @@ void Outputs::write_all(const ResultFile& result, const PublishedTable& publishe
 
 std::vector<std::string> Outputs::written() const {
     std::vector<std::string> files = written_;
-    std::copy_if(pictures_.begin(), pictures_.end(), std::back_inserter(files),
-                 [](const std::string& file) { return fs::exists(file); });
+    std::copy_if(pictures_.begin(), pictures_.end(), std::back_inserter(files), [](const std::string& file) {
+        std::error_code ignored;
+        return fs::exists(file, ignored);
+    });
     return files;
 }
 

@@ -10,6 +10,7 @@
 #include "bench/cli/options.h"
 #include "bench/record/record.h"
 #include "bench/report/published.h"
+#include "core/file/folder_lock.h"
 
 namespace ptb {
 
@@ -17,7 +18,8 @@ namespace ptb {
 /// ask for beside it.
 class Outputs {
   public:
-    /// Creates the folder and makes sure that everything can be written. Throws UsageError, leaving nothing.
+    /// Creates the folder, holds it against other runs, and makes sure that everything can be written. Throws
+    /// UsageError, leaving nothing.
     Outputs(const RunFlags& flags, const std::string& config, const std::string& started_at);
     /// Removes a folder that stayed empty.
     ~Outputs();
@@ -47,6 +49,7 @@ class Outputs {
     void write_all(const ResultFile& result, const PublishedTable& published);
 
     std::filesystem::path folder_;
+    FolderLock lock_;
     bool created_ = false;
     Destinations asked_;
     std::vector<std::string> written_;

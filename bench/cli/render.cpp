@@ -30,17 +30,18 @@ DeviceInfo choose_device(const std::string& selector, const std::vector<DeviceIn
                                  chosen.size(), chosen[0].key));
 }
 
+void set_only_point(Case& c, const Axis& axis, const std::string& flag, const std::string& text) {
+    if (axis.points.size() != 1)
+        throw UsageError(fmt::format("{}: found \"{}\"; allowed: one value, since render makes one picture",
+                                     flag, printable(text)));
+    for (std::size_t i = 0; i < axis.names.size(); ++i) set_case_value(c, axis.names[i], axis.points[0][i]);
+}
+
 Case case_of(const RenderFlags& flags) {
     Case c = default_case();
-    for (const std::string& text : flags.axes) {
-        const Axis axis = parse_axis(text);
-        if (axis.points.size() != 1)
-            throw UsageError(fmt::format(
-                "-a: found \"{}\"; allowed: one value, since render makes one picture", printable(text)));
-        for (std::size_t i = 0; i < axis.names.size(); ++i)
-            set_case_value(c, axis.names[i], axis.points[0][i]);
-    }
-    for (const auto& [axis, value] : flags.axis_values) set_case_value(c, axis, value);
+    for (const std::string& text : flags.axes) set_only_point(c, parse_axis(text), "-a", text);
+    for (const auto& [axis, text] : flags.axis_values)
+        set_only_point(c, axis_of_values(axis, text), axis, text);
     check_case(c);
     check_names({c});
     return c;

@@ -4,9 +4,9 @@
 #include "bench/cli/exit_code.h"
 #include "bench/cli/formats.h"
 #include "bench/cli/option_parts.h"
-#include "bench/cli/resume.h"
 #include "bench/cli/tell.h"
 #include "bench/plan/data_dir.h"
+#include "bench/record/journal.h"
 #include "bench/report/formats/formats.h"
 #include "bench/report/table.h"
 

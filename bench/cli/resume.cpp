@@ -1,12 +1,15 @@
 #include "bench/cli/resume.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "bench/plan/data_dir.h"
+#include "bench/plan/scene_file.h"
 #include "bench/record/fingerprint.h"
 #include "bench/record/host.h"
 #include "bench/record/journal.h"
@@ -17,12 +20,6 @@
 
 namespace ptb {
 namespace {
-
-/// A journal's first line is JSON by itself; a result file's is its first bracket.
-bool is_journal(const std::filesystem::path& file) {
-    const std::string text = read_text(file);
-    return text.substr(0, text.find('\n')).size() > 2;
-}
 
 std::map<Case, Record> by_case(const std::vector<Record>& records) {
     std::map<Case, Record> found;
@@ -37,6 +34,28 @@ std::vector<Record> tried(const std::vector<Record>& records) {
     return kept;
 }
 
+using Renamed = std::function<std::string(const std::string&)>;
+
+void rename_settings(JsonText& settings, const std::filesystem::path& data, const Renamed& renamed) {
+    if (settings.json.empty()) return;
+    Config config = parse_config(settings.json, "/run/settings");
+    move_paths(config, data / "configs", renamed);
+    settings.json = dump_config(config);
+}
+
+/// In the records, and in the list of hashes.
+void rename_scenes(ResultFile& run, const std::filesystem::path& data, const Renamed& renamed) {
+    const auto name = [&](const std::string& scene) {
+        const std::filesystem::path file = scene_file(scene, data);
+        return file.is_absolute() || file != scene ? scene : renamed(scene);
+    };
+    for (Record& record : run.cases) record.params.scene = name(record.params.scene);
+    for (std::string& scene : run.run.scenes) {
+        const auto split = std::min(scene.rfind(' '), scene.size());
+        scene = name(scene.substr(0, split)) + scene.substr(split);
+    }
+}
+
 RunFingerprint fingerprint_with_kernels(const ResultFile& now, const std::vector<Case>& planned,
                                         const std::string& kernel_dir) {
     RunFingerprint facts = fingerprint_of(now);
@@ -49,13 +68,23 @@ RunFingerprint fingerprint_with_kernels(const ResultFile& now, const std::vector
 
 }  // namespace
 
-ResultFile read_run(const std::filesystem::path& file) {
-    return is_journal(file) ? read_journal(file) : read_result(file);
+void see_from(const std::filesystem::path& here, ResultFile& run, const std::filesystem::path& data) {
+    const std::filesystem::path there = run.run.folder;
+    if (there.empty() || there == here) return;
+    const Renamed renamed = [&](const std::string& path) {
+        return (there / path).lexically_normal().lexically_proximate(here).string();
+    };
+    run.run.folder = here.string();
+    rename_settings(run.run.settings, data, renamed);
+    rename_scenes(run, data, renamed);
 }
 
 std::optional<ResultFile> earlier_run(const RunFlags& flags) {
     if (flags.resume.empty()) return std::nullopt;
-    return read_run(flags.resume);
+    ResultFile run = read_run(flags.resume);
+    std::error_code unknown;
+    see_from(std::filesystem::current_path(unknown), run, data_dir());
+    return run;
 }
 
 Config config_of(const ResultFile& earlier, const std::string& file) {

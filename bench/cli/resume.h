@@ -15,8 +15,8 @@ struct NotComparable : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// What a journal or a result file holds. Throws UsageError.
-ResultFile read_run(const std::filesystem::path& file);
+/// Names the files of a run that began in another folder as they are called from `here`. `data`: of ptbench.
+void see_from(const std::filesystem::path& here, ResultFile& run, const std::filesystem::path& data);
 
 /// The run that --resume names, from its journal or its result file. Throws UsageError.
 std::optional<ResultFile> earlier_run(const RunFlags& flags);

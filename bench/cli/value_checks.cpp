@@ -20,6 +20,13 @@ CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
     return {check, ""};
 }
 
+CLI::Validator not_empty(const std::string& allowed) {
+    const auto check = [=](const std::string& text) -> std::string {
+        return text.empty() ? fmt::format("found \"\"; allowed: {}", allowed) : "";
+    };
+    return {check, ""};
+}
+
 CLI::Validator seconds(bool zero_allowed) {
     const auto check = [=](const std::string& text) -> std::string {
         double value = std::nan("");

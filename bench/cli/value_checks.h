@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -11,6 +12,10 @@ namespace ptb {
 
 /// Digits only, from `least` to `most`.
 CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
+
+/// Anything but an empty text, which is what a script passes on from a variable that nobody set. `allowed`
+/// ends the message.
+CLI::Validator not_empty(const std::string& allowed);
 
 /// A finite number of seconds, more than 0 (or 0 too), at most 1e9.
 CLI::Validator seconds(bool zero_allowed);

@@ -14,6 +14,7 @@ std::string comparison_text(const Comparison& comparison) {
     Json json = Json::object();
     json["schema"] = "ptbench.compare.v1";
     json["differing"] = comparison.differing;
+    json["notes"] = comparison.notes;
     json["rows"] = encode(comparison.rows);
     return dump_json(json, 2) + "\n";
 }

@@ -83,13 +83,22 @@ double mean_ns(const NvState& state) {
     return std::nan("");
 }
 
+/// A state's name without "Device=4", which is a number that a machine gave.
+std::string axes_of(const NvState& state) {
+    const std::string device = fmt::format("Device={}", state.device);
+    if (state.name == device) return "";
+    return state.name.starts_with(device + " ") ? state.name.substr(device.size()) : " " + state.name;
+}
+
 SessionCase case_of(const NvFile& file, const NvBenchmark& benchmark, const NvState& state) {
     SessionCase c;
     c.device = std::to_string(state.device);
-    c.name = benchmark.name + " " + state.name;
+    c.name = benchmark.name + axes_of(state);
     for (const NvDevice& device : file.devices.value_or(std::vector<NvDevice>()))
-        if (device.id == state.device)
+        if (device.id == state.device) {
+            c.device_name = device.name;
             c.fingerprint = {{"device", device.name}, {"SM", std::to_string(device.sm_version)}};
+        }
     const double ns = mean_ns(state);
     if (state.is_skipped)
         c.no_time = state.skip_reason.empty() ? "skipped" : state.skip_reason;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include <fmt/format.h>
 
 #include "bench/compare/evidence.h"
+#include "bench/compare/match.h"
 #include "bench/compare/rank_tests.h"
 #include "bench/measure/statistics.h"
 #include "core/input/printable.h"
@@ -15,50 +15,37 @@
 namespace ptb {
 namespace {
 
-/// One case over the sessions of both sides: those that have a time.
-struct Matched {
-    const SessionCase* like = nullptr;
-    std::vector<const SessionCase*> base, now;
-    std::string why_not = "not in the file";  ///< the new side has no time
-};
+constexpr std::size_t most_shown = 60;
 
-bool one_device(const std::vector<Session>& sessions) {
-    std::set<std::string> devices;
-    for (const Session& session : sessions)
-        for (const SessionCase& c : session.cases) devices.insert(c.device);
-    return devices.size() == 1;
+std::string two_values(const std::string& field, const std::string& one, const std::string& other) {
+    const auto [a, b] = where_they_differ(one, other, most_shown);
+    return fmt::format("{}: \"{}\" and \"{}\"", field, a, b);
 }
 
-/// Every case of the base once, then those that only the new side has. Across machines the only device of one
-/// side is the other's.
-std::vector<Matched> match(const std::vector<Session>& base, const std::vector<Session>& now, bool cross) {
-    const bool any_device = cross && one_device(base) && one_device(now);
-    std::vector<Matched> all;
-    std::map<std::pair<std::string, std::string>, std::size_t> place;
-    for (const auto* const side : {&base, &now})
-        for (const Session& session : *side)
-            for (const SessionCase& c : session.cases) {
-                const auto [found, is_new] =
-                    place.try_emplace({any_device ? "" : c.device, c.name}, all.size());
-                Matched& m = is_new ? all.emplace_back() : all[found->second];
-                if (is_new) m.like = &c;
-                if (c.no_time.empty()) (side == &base ? m.base : m.now).push_back(&c);
-                if (!c.no_time.empty() && side == &now) m.why_not = c.no_time;
-            }
-    return all;
+const Fact* fact(const SessionCase& c, const std::string& field) {
+    const auto found = std::find_if(c.fingerprint.begin(), c.fingerprint.end(),
+                                    [&](const Fact& each) { return each.field == field; });
+    return found == c.fingerprint.end() ? nullptr : &*found;
 }
 
-void add_differing(const Matched& m, std::set<std::string>& differing) {
-    std::vector<const SessionCase*> all = m.base;
-    all.insert(all.end(), m.now.begin(), m.now.end());
-    for (const SessionCase* const c : all)
-        for (std::size_t i = 0; i < std::min(c->fingerprint.size(), all[0]->fingerprint.size()); ++i) {
-            const auto& [field, value] = c->fingerprint[i];
-            const auto& first = all[0]->fingerprint[i].second;
-            if (value != first)
-                differing.insert(fmt::format("{}: \"{}\" and \"{}\"", field, shortened(printable(first), 60),
-                                             shortened(printable(value), 60)));
-        }
+std::string scene_text(const SessionCase& c) { return c.params->scene + " " + c.scene_hash; }
+
+/// What differs between two sessions' case, into the comparison.
+void add_differing(const SessionCase& one, const SessionCase& other, Comparison& comparison) {
+    if (!one.scene_hash.empty() && !other.scene_hash.empty() && one.scene_hash != other.scene_hash)
+        comparison.differing.insert(two_values("scene", scene_text(one), scene_text(other)));
+    for (const Fact& a : one.fingerprint) {
+        const Fact* const b = fact(other, a.field);
+        if (b == nullptr || a.value == b->value) continue;
+        const bool noted = a.may_differ || b->may_differ;
+        (noted ? comparison.notes : comparison.differing).insert(two_values(a.field, a.value, b->value));
+    }
+}
+
+void add_differing(const Matched& m, Comparison& comparison) {
+    if (m.base.empty() || m.now.empty()) return;
+    for (const auto* const side : {&m.base, &m.now})
+        for (const SessionCase* const c : *side) add_differing(*m.base.front(), *c, comparison);
 }
 
 /// Of very many values, evenly spaced order statistics: pairs of all would not fit into memory.
@@ -139,6 +126,7 @@ Row row_of(const Matched& m, const CompareRules& rules, const Describe& describe
     row.tolerance = rules.tolerance(*m.like);
     if (!m.base.empty() && !m.now.empty()) {
         describe(m, row);
+        if (m.now.front()->device != row.device) row.note = "new: device " + m.now.front()->device;
         return row;
     }
     row.finding.state = m.base.empty() ? State::unmeasured : State::missing;
@@ -166,7 +154,7 @@ Comparison compared(const std::vector<Session>& base, const std::vector<Session>
                     const CompareRules& rules, const Describe& describe) {
     Comparison comparison;
     for (const Matched& m : match(base, now, rules.allow_cross)) {
-        if (!m.base.empty() && !m.now.empty()) add_differing(m, comparison.differing);
+        add_differing(m, comparison);
         comparison.rows.push_back(row_of(m, rules, describe));
     }
     if (!comparison.differing.empty() && !rules.allow_cross) comparison.rows.clear();

@@ -24,7 +24,8 @@ struct CompareRules {
 /// What came of it. Where fingerprints differ and that is not allowed, there are no rows.
 struct Comparison {
     std::vector<Row> rows;
-    std::set<std::string> differing;  ///< "driver: base \"3.1\", new \"4.0\""
+    std::set<std::string> differing;  ///< "driver: \"3.1\" and \"4.0\""
+    std::set<std::string> notes;      ///< what differs too, and may
 };
 
 /// Compares two versions by sessions of each: one a side by their samples, else by the sessions' medians.

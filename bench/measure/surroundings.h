@@ -6,15 +6,9 @@
 #include <string>
 
 #include "bench/measure/cpu_time.h"
+#include "bench/record/cpus.h"
 
 namespace ptb {
-
-/// A limit of CPU time that a control group has.
-struct CpuQuota {
-    double cpus = 0;
-    std::string file;  ///< that says so
-    bool operator==(const CpuQuota&) const = default;
-};
 
 /// What around this process may disturb measurements, as the kernel's files say; what cannot be read stays
 /// as it is here.
@@ -39,8 +33,5 @@ int running_now(const std::filesystem::path& root = "/");
 
 /// Whether times on that many CPUs will vary.
 constexpr bool is_busy(int running, int cpus) { return running > 0 && 2 * running >= cpus; }
-
-/// CPUs in a list of the kernel's: "0-3,8" has 5.
-int count_cpus(const std::string& list);
 
 }  // namespace ptb

@@ -28,19 +28,27 @@ bool unwrap(std::string_view& text, char open, char close) {
     return true;
 }
 
-/// Splits at commas outside of parentheses; nothing between two commas is an empty item.
+/// Splits at commas outside of parentheses, but not at "\,"; nothing between two commas is an empty item.
 std::vector<std::string> split(std::string_view text) {
     std::vector<std::string> items;
     int depth = 0;
     std::size_t start = 0;
     for (std::size_t i = 0; i <= text.size(); ++i) {
+        const bool escaped = i > 0 && i < text.size() && text[i] == ',' && text[i - 1] == '\\';
         if (i < text.size() && text[i] == '(') ++depth;
         if (i < text.size() && text[i] == ')') --depth;
-        if (i < text.size() && (text[i] != ',' || depth > 0)) continue;
+        if (i < text.size() && (text[i] != ',' || depth > 0 || escaped)) continue;
         items.emplace_back(trim(text.substr(start, i - start)));
         start = i + 1;
     }
     return items;
+}
+
+/// A value as it is meant: "a\,b" is a,b.
+std::string unescaped(std::string value) {
+    for (auto at = value.find("\\,"); at != std::string::npos; at = value.find("\\,", at + 1))
+        value.erase(at, 1);
+    return value;
 }
 
 [[noreturn]] void refuse(const std::vector<std::string>& names, std::string_view found,
@@ -98,6 +106,7 @@ std::vector<std::string> linked_point(const std::vector<std::string>& names, std
     if (values.size() != names.size())
         refuse(names, text,
                fmt::format("points of {} values, like ({})", names.size(), fmt::join(names, ",")));
+    std::transform(values.begin(), values.end(), values.begin(), unescaped);
     return values;
 }
 
@@ -126,14 +135,15 @@ std::vector<std::vector<std::string>> parse_axis_points(const std::vector<std::s
     if (list && text.empty()) refuse(names, "[]", "at least one value");
     std::vector<std::vector<std::string>> points;
     const auto items = split(text);
-    if (!list && items.size() > 1) refuse(names, text, "one value, or a list in brackets");
+    if (!list && items.size() > 1)
+        refuse(names, text, "one value, or a list in brackets; a comma in a value is \\,");
     for (const auto& item : items) {
         if (names.size() > 1)
             points.push_back(linked_point(names, item));
         else if (list && is_range(names, item))
             append_range(names, item, points);
         else
-            points.push_back({item});
+            points.push_back({unescaped(item)});
     }
     return points;
 }

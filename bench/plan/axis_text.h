@@ -14,8 +14,8 @@ std::vector<std::string> parse_axis_names(std::string_view text);
 std::string axis_key(const std::vector<std::string>& names);
 
 /// Values of an axis from text: one value, or a list in brackets whose items are values or ranges
-/// `first:last:step`, `first:last:xfactor`; of linked axes: points "(10,1024)". Unchecked but for the
-/// grammar.
+/// `first:last:step`, `first:last:xfactor`; of linked axes: points "(10,1024)"; "\," is a comma in a value.
+/// Unchecked but for the grammar.
 std::vector<std::vector<std::string>> parse_axis_points(const std::vector<std::string>& names,
                                                         std::string_view text);
 

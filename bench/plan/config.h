@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,7 +36,7 @@ struct MeasureOptions {
     std::uint64_t seed = 1;
     std::optional<int> warmup;   ///< untimed samples before the timed ones; absent: until steady
     int min_samples = 10;        ///< timed samples before a case may be precise enough
-    int max_samples = 1000;      ///< timed samples of a case; wins over min_samples
+    int max_samples = 1000;      ///< timed samples of a case; never less than min_samples
     double max_time_s = 30;      ///< no further sample of a case starts after this; one is always taken
     std::string timer = "auto";  ///< "auto", "event" or "host"
     bool skip_time = false;      ///< validate only
@@ -85,9 +86,12 @@ void check_case(const Case& c);
 
 /// Reads a config: JSON text with the same words as the flags; unknown keys are errors with a JSON pointer.
 Config parse_config(std::string_view json_text, const std::string& origin);
-/// `name_or_file`: a file, or the name of a config in `config_folder`. Throws UsageError listing what there
-/// is.
+/// `name_or_file`: a file, or the name of a config in `config_folder`. Its paths are from the file's folder,
+/// or else from here. Throws UsageError listing what there is.
 Config load_config(const std::string& name_or_file, const std::filesystem::path& config_folder);
+/// Replaces what is a relative path in a config: scenes that do not ship, and the folder of kernels.
+void move_paths(Config& config, const std::filesystem::path& config_folder,
+                const std::function<std::string(const std::string&)>& moved);
 /// The config as JSON that `parse_config` reads back to the same value (`--dump-config`).
 std::string dump_config(const Config& config);
 

@@ -1,5 +1,6 @@
 #include "bench/plan/config_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -95,6 +96,14 @@ void read_key(const std::string& key, const Json& json, const Where& where, Conf
     refuse_key(key, where, known);
 }
 
+/// The least number gives way to the most, unless it was asked for.
+void check_samples(const Json& json, const Where& root, MeasureOptions& measure) {
+    if (json.contains("min_samples") && measure.min_samples > measure.max_samples)
+        Where(root, "min_samples")
+            .refuse(measure.min_samples, fmt::format("at most max_samples, {}", measure.max_samples));
+    measure.min_samples = std::min(measure.min_samples, measure.max_samples);
+}
+
 }  // namespace
 
 Config parse_config(std::string_view json_text, const std::string& origin) {
@@ -103,6 +112,7 @@ Config parse_config(std::string_view json_text, const std::string& origin) {
     if (!json.is_object()) root.refuse(json, "an object");
     Config config;
     for (const auto& [key, value] : json.items()) read_key(key, value, root, config);
+    check_samples(json, root, config.measure);
     return config;
 }
 

@@ -31,7 +31,8 @@ fs::path data_dir() {
     const bool given = variable != nullptr && *variable != '\0';
     const fs::path folder =
         given ? fs::path(variable) : (self_path().parent_path() / "../share/ptbench").lexically_normal();
-    if (fs::is_directory(folder / "configs")) return folder;
+    std::error_code ignored;
+    if (fs::is_directory(folder / "configs", ignored)) return folder;
     throw UsageError(fmt::format("{} has no configs/; set PTBENCH_DATA_DIR to ptbench's data folder{}",
                                  folder.string(), given ? " (it is set, but wrong)" : ""));
 }

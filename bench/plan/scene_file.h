@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 
 namespace ptb {
 
@@ -9,7 +10,8 @@ namespace ptb {
 inline std::filesystem::path scene_file(const std::string& name_or_file,
                                         const std::filesystem::path& data_folder) {
     const std::filesystem::path shipped = data_folder / "configs" / "scenes" / (name_or_file + ".json");
-    return std::filesystem::exists(shipped) ? shipped : std::filesystem::path(name_or_file);
+    std::error_code ignored;
+    return std::filesystem::exists(shipped, ignored) ? shipped : std::filesystem::path(name_or_file);
 }
 
 }  // namespace ptb

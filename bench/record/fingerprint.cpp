@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "bench/plan/tuned.h"
+#include "bench/record/cpus.h"
 #include "core/input/json.h"
 #include "core/input/printable.h"
 
@@ -15,6 +16,8 @@ constexpr std::size_t most_shown = 60;
 
 void add_host(RunFingerprint& facts, const ResultFile& run) {
     facts["cpu"] = fmt::format("{}, {} cores", run.host.cpu, run.host.cores);
+    facts["CPUs allowed"] = std::to_string(run.host.cpus_allowed);
+    facts["CPU quota"] = quota_text(run.host.cpu_quota);
     facts["ptbench"] = fmt::format("{} {}", run.run.tool_version, run.run.git_sha);
 }
 
@@ -29,8 +32,8 @@ void add_devices(RunFingerprint& facts, const ResultFile& run) {
 }
 
 void add_options(RunFingerprint& facts, const ResultFile& run) {
-    static const std::set<std::string> not_in_a_time{"name", "description", "device", "timeout",
-                                                     "max_total_time"};
+    static const std::set<std::string> not_in_a_time{"name",    "description",    "device",
+                                                     "timeout", "max_total_time", "kernel_dir"};
     if (run.run.settings.json.empty()) return;
     const Json settings = parse_json(run.run.settings.json, "settings");
     for (const auto& [key, value] : settings.items())
@@ -57,7 +60,7 @@ void add_tuned(RunFingerprint& facts, const ResultFile& run) {
 
 std::string value_in(const RunFingerprint& facts, const std::string& name) {
     const auto found = facts.find(name);
-    return found == facts.end() ? "nothing" : shortened(printable(found->second), most_shown);
+    return found == facts.end() ? "nothing" : found->second;
 }
 
 }  // namespace
@@ -81,8 +84,8 @@ std::vector<std::string> differences(const RunFingerprint& a, const std::string&
     for (const auto& [name, value] : all) {
         const bool both = a.contains(name) && b.contains(name);
         if (both ? a.at(name) == b.at(name) : name.starts_with("kernel ")) continue;
-        texts.push_back(
-            fmt::format("{} ({} {}, {} {})", name, there, value_in(a, name), here, value_in(b, name)));
+        const auto [one, other] = where_they_differ(value_in(a, name), value_in(b, name), most_shown);
+        texts.push_back(fmt::format("{} ({} {}, {} {})", name, there, one, here, other));
     }
     return texts;
 }

@@ -9,8 +9,8 @@
 namespace ptb {
 
 /// What two runs must share for their times to be of the same thing: a fact's name and its value. Devices and
-/// drivers, the CPU, ptbench itself, the texts of scenes and kernels, and options but those of patience
-/// (timeout, budget).
+/// drivers, the CPU and how much of it may be used, ptbench itself, the texts of scenes and kernels, and
+/// options but those of patience (timeout, budget) and of where kernels lie.
 using RunFingerprint = std::map<std::string, std::string>;
 
 /// "kernel pt": "9f86d081884c7d65", "driver of pocl:0": "3.1", "option samples": "5", ...

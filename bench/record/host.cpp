@@ -11,15 +11,11 @@
 #include <fmt/format.h>
 #include <sys/utsname.h>
 
+#include "bench/record/cpus.h"
 #include "bench/version.h"
 
 namespace ptb {
 namespace {
-
-std::string text_of(const char* file) {
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 double load_of_last_minute() {
     double load = 0;
@@ -27,6 +23,16 @@ double load_of_last_minute() {
 }
 
 }  // namespace
+
+std::string kernel_text(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::optional<double> kernel_number(const std::filesystem::path& file) {
+    double value = 0;
+    return std::ifstream(file) >> value ? std::optional(value) : std::nullopt;
+}
 
 std::string value_after(std::string_view text, std::string_view key, char separator) {
     while (!text.empty()) {
@@ -61,17 +67,21 @@ HostInfo host_info() {
         info.hostname = names.nodename;
         info.kernel = fmt::format("{} {} {}", names.sysname, names.release, names.machine);
     }
-    info.os = os_name(text_of("/etc/os-release"));
-    info.cpu = cpu_model(text_of("/proc/cpuinfo"));
+    info.os = os_name(kernel_text("/etc/os-release"));
+    info.cpu = cpu_model(kernel_text("/proc/cpuinfo"));
     info.cores = static_cast<int>(std::thread::hardware_concurrency());
-    info.memory_bytes = total_memory(text_of("/proc/meminfo"));
+    info.cpus_allowed = cpus_allowed();
+    if (const auto quota = cpu_quota()) info.cpu_quota = quota->cpus;
+    info.memory_bytes = total_memory(kernel_text("/proc/meminfo"));
     info.load_1min = load_of_last_minute();
     return info;
 }
 
 RunInfo run_info(std::vector<std::string> argv, const std::string& config, std::uint64_t seed) {
     RunInfo info;
+    std::error_code unknown;
     info.argv = std::move(argv);
+    info.folder = std::filesystem::current_path(unknown).string();
     info.config = config;
     info.seed = seed;
     info.tool_version = version::tool;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +18,11 @@ RunInfo run_info(std::vector<std::string> argv, const std::string& config, std::
 
 /// "2016-05-17T09:30:00Z", now.
 std::string utc_now();
+
+/// What a file of the kernel says, or the number that it begins with; empty or nothing where it cannot be
+/// read.
+std::string kernel_text(const std::filesystem::path& file);
+std::optional<double> kernel_number(const std::filesystem::path& file);
 
 /// What follows `key` and `separator` on the first line that starts with `key`, without blanks and quotes.
 std::string value_after(std::string_view text, std::string_view key, char separator);

@@ -64,8 +64,15 @@ ResultFile parse_journal(std::string_view text, const std::string& origin) {
     return result;
 }
 
-ResultFile read_journal(const std::filesystem::path& file) {
-    return parse_journal(read_text(file), file.string());
+bool is_journal(std::string_view text) {
+    const auto first = take_line(text);
+    return text.find_first_not_of(" \t\r\n") != std::string_view::npos && Json::accept(first);
+}
+
+ResultFile read_run(const std::filesystem::path& file) {
+    const std::string text = read_text(file);
+    if (is_journal(text)) return parse_journal(text, file.string());
+    return result_from_json(parse_json(text, file.string()), file.string());
 }
 
 }  // namespace ptb

@@ -30,6 +30,10 @@ class Journal {
 /// What the text of a journal holds; a last line that was cut short is left out. Throws UsageError on
 /// anything else.
 ResultFile parse_journal(std::string_view text, const std::string& origin);
-ResultFile read_journal(const std::filesystem::path& file);
+/// Whether the first of several lines is JSON by itself, as a result file's is not.
+bool is_journal(std::string_view text);
+
+/// What a journal or a result file holds. Throws UsageError.
+ResultFile read_run(const std::filesystem::path& file);
 
 }  // namespace ptb

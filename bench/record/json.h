@@ -141,18 +141,19 @@ template <>
 inline constexpr auto fields<HostInfo> = std::make_tuple(
     field("hostname", &HostInfo::hostname), field("os", &HostInfo::os), field("kernel", &HostInfo::kernel),
     field("cpu", &HostInfo::cpu), field("cores", &HostInfo::cores),
+    field("cpus_allowed", &HostInfo::cpus_allowed), field("cpu_quota", &HostInfo::cpu_quota),
     field("memory_bytes", &HostInfo::memory_bytes), field("load_1min", &HostInfo::load_1min));
 
 template <>
 inline constexpr auto fields<RunInfo> =
     std::make_tuple(field("argv", &RunInfo::argv), field("config", &RunInfo::config),
-                    field("tool_version", &RunInfo::tool_version), field("git_sha", &RunInfo::git_sha),
-                    field("git_dirty", &RunInfo::git_dirty), field("compiler", &RunInfo::compiler),
-                    field("started_at", &RunInfo::started_at), field("seed", &RunInfo::seed),
-                    field("interrupted", &RunInfo::interrupted), field("wall_s", &RunInfo::wall_s),
-                    field("settings", &RunInfo::settings), field("resumed_at", &RunInfo::resumed_at),
-                    field("scenes", &RunInfo::scenes), field("tuned", &RunInfo::tuned),
-                    field("coordinator_cpu_s", &RunInfo::coordinator_cpu_s));
+                    field("folder", &RunInfo::folder), field("tool_version", &RunInfo::tool_version),
+                    field("git_sha", &RunInfo::git_sha), field("git_dirty", &RunInfo::git_dirty),
+                    field("compiler", &RunInfo::compiler), field("started_at", &RunInfo::started_at),
+                    field("seed", &RunInfo::seed), field("interrupted", &RunInfo::interrupted),
+                    field("wall_s", &RunInfo::wall_s), field("settings", &RunInfo::settings),
+                    field("resumed_at", &RunInfo::resumed_at), field("scenes", &RunInfo::scenes),
+                    field("tuned", &RunInfo::tuned), field("coordinator_cpu_s", &RunInfo::coordinator_cpu_s));
 
 template <>
 inline constexpr auto fields<ResultFile> =

@@ -175,6 +175,8 @@ struct BrokenIcd {
 struct HostInfo {
     std::string hostname, os, kernel, cpu;
     int cores = 0;
+    int cpus_allowed = 0;             ///< by affinity; 0: unknown
+    std::optional<double> cpu_quota;  ///< CPUs whose time the smallest control group allows
     std::uint64_t memory_bytes = 0;
     double load_1min = 0;
     bool operator==(const HostInfo&) const = default;
@@ -190,6 +192,7 @@ struct JsonText {
 struct RunInfo {
     std::vector<std::string> argv;
     std::string config, tool_version, git_sha, compiler, started_at;  ///< started_at: ISO 8601, UTC
+    std::string folder;  ///< in which it began: relative paths are from there
     bool git_dirty = false;
     std::uint64_t seed = 0;
     bool interrupted = false;

@@ -51,7 +51,9 @@ fs::path default_tune_file() {
 
 std::vector<TunedKernel> read_tuned(const fs::path& file) {
     std::vector<TunedKernel> stored;
-    if (file.empty() || !fs::exists(file)) return stored;
+    std::error_code error;
+    const bool missing = !fs::exists(file, error) && !error;
+    if (file.empty() || missing) return stored;
     const std::string origin = file.string();
     const Json json = parse_json(read_text(file), origin);
     const Where root(origin);
@@ -67,7 +69,8 @@ void store_tuned(const fs::path& file, const TunedKernel& fresh) {
         return same_device(old, fresh) && old.best.kernel == fresh.best.kernel;
     });
     stored.push_back(fresh);
-    if (file.has_parent_path()) fs::create_directories(file.parent_path());
+    std::error_code ignored;  // the next line says it better
+    if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
     write_file(file, dump_json({{"schema", schema}, {"kernels", encode(stored)}}, 2) + "\n");
 }
 

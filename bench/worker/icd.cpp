@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <stdlib.h>
 
+#include "core/input/usage_error.h"
+
 namespace ptb {
 namespace {
 
@@ -47,8 +49,10 @@ Icd icd_from_file(const std::string& file) {
 
 std::vector<Icd> find_icds(const IcdEnvironment& environment) {
     const fs::path vendors = environment.vendors.empty() ? "/etc/OpenCL/vendors" : environment.vendors;
-    std::vector<Icd> icds = fs::is_directory(vendors) ? icds_of_folder(vendors) : std::vector<Icd>();
-    if (!fs::is_directory(vendors) && fs::exists(vendors)) icds.push_back(icd_from_file(vendors.string()));
+    std::error_code ignored;
+    const bool folder = fs::is_directory(vendors, ignored);
+    std::vector<Icd> icds = folder ? icds_of_folder(vendors) : std::vector<Icd>();
+    if (!folder && fs::exists(vendors, ignored)) icds.push_back(icd_from_file(vendors.string()));
     std::istringstream libraries(environment.filenames);
     for (std::string library; std::getline(libraries, library, ':');) {
         if (!library.empty()) icds.push_back(icd_from_file(library));
@@ -58,7 +62,10 @@ std::vector<Icd> find_icds(const IcdEnvironment& environment) {
 
 IcdFolder::IcdFolder(const Icd& icd) {
     if (icd == any_icd) return;
-    std::string pattern = (fs::temp_directory_path() / "ptbench-icd-XXXXXX").string();
+    std::error_code error;
+    const fs::path temporary = fs::temp_directory_path(error);
+    if (error) throw UsageError(fmt::format("TMPDIR: found {}, which is no folder", variable("TMPDIR")));
+    std::string pattern = (temporary / "ptbench-icd-XXXXXX").string();
     if (::mkdtemp(pattern.data()) == nullptr) {
         throw std::runtime_error(fmt::format("cannot create a folder like {}", pattern));
     }

@@ -1,5 +1,6 @@
 #include "core/input/printable.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace ptb {
@@ -34,6 +35,15 @@ bool is_printable(std::uint32_t code) {
     const bool turns = (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) ||
                        code == 0x200E || code == 0x200F || code == 0x061C;
     return !separator && !turns;
+}
+
+/// Bytes that both texts begin with, up to the beginning of the word, or of the item of a list, in which they
+/// part.
+std::size_t common_words(std::string_view one, std::string_view other) {
+    const auto parted = std::mismatch(one.begin(), one.end(), other.begin(), other.end()).first;
+    const auto same = one.substr(0, static_cast<std::size_t>(parted - one.begin()));
+    const auto split = same.find_last_of(" ,[{");
+    return split == std::string_view::npos ? 0 : split + 1;
 }
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
@@ -75,6 +85,17 @@ std::string shortened(std::string_view utf8, std::size_t most) {
     std::size_t end = first_bytes(utf8, most - 3);
     while (end > 0 && utf8[end - 1] == ' ') --end;
     return std::string(utf8.substr(0, end)) + "...";
+}
+
+std::pair<std::string, std::string> where_they_differ(std::string_view one, std::string_view other,
+                                                      std::size_t most) {
+    const std::string a = printable(one), b = printable(other);
+    const bool whole = width(a) <= most && width(b) <= most;
+    const std::size_t same = whole ? 0 : common_words(a, b);
+    const auto shown = [&](const std::string& text) {
+        return shortened((same == 0 ? "" : "... ") + text.substr(same), most);
+    };
+    return {shown(a), shown(b)};
 }
 
 }  // namespace ptb

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace ptb {
 
@@ -17,5 +18,10 @@ std::size_t first_bytes(std::string_view utf8, std::size_t most);
 
 /// `text` shortened to `most` characters, ending in "..." when it was longer.
 std::string shortened(std::string_view utf8, std::size_t most);
+
+/// Two texts that differ, printable and shortened to `most` characters each. Of longer ones the words that
+/// both begin with are left out ("... -DLANES=8"), so that what differs is shown.
+std::pair<std::string, std::string> where_they_differ(std::string_view one, std::string_view other,
+                                                      std::size_t most);
 
 }  // namespace ptb

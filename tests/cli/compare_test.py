@@ -126,8 +126,10 @@ class Fingerprints(CompareTest):
 
         def build(key, value):
             return lambda r: [c["build"].update({key: value}) for c in r["cases"]]
-        changes = {"device": device("name", "other"), "driver": device("driver_version", "other"),
-                   "CPU": lambda r: r["host"].update(cpu="other"), "kernel hash": build("kernel_hash", "other"),
+        changes = {"driver": device("driver_version", "other"), "compute units": device("compute_units", 77),
+                   "CPUs allowed": lambda r: r["host"].update(cpus_allowed=77),
+                   "CPU quota": lambda r: r["host"].update(cpu_quota=0.7),
+                   "device": device("name", "other"), "CPU": lambda r: r["host"].update(cpu="other"), "kernel hash": build("kernel_hash", "other"),
                    "build options": build("options", "other"),
                    "timer": lambda r: [c["statistics"].update(timer="host") for c in r["cases"]]}
         old = self.file("old.json", 10, 10)
@@ -136,10 +138,48 @@ class Fingerprints(CompareTest):
                 new = self.file("new.json", 20, 10, change=change)
                 result = self.run_ok("compare", old, new, "--gate-single-session", code=7)
                 (line,) = result.stderr.splitlines()
-                self.assertRegex(line, f'^not comparable: {field}: ".*" and "(other|host)"; --allow-cross')
+                self.assertRegex(line, f'^not comparable: {field}: ".*" and "(other|host|77|0.7)"; --allow-cross')
                 self.assertEqual(result.stdout, "")
                 crossed = self.compare(old, new, "--gate-single-session", "--allow-cross")
                 self.assertEqual(crossed[0][1], "not comparable")
+
+    def test_an_edited_scene_is_another_one_and_a_moved_file_the_same(self):
+        def scene(path, text_hash):
+            def change(result):
+                result["run"]["scenes"] = [f"{path} {text_hash}"]
+                for case in result["cases"]:
+                    case["params"]["scene"] = path
+            return change
+        old = self.file("old.json", 10, 10, change=scene("s.json", "f441de64cb66c0c9"))
+        edited = self.file("edited.json", 20, 10, change=scene("s.json", "c43e2b2828bb2116"))
+        result = self.run_ok("compare", old, edited, "--gate-single-session", code=7)
+        self.assertIn('scene: "s.json f441de64cb66c0c9" and "s.json c43e2b2828bb2116"', result.stderr)
+        moved = self.file("moved.json", 10, 10, change=scene("scenes/s.json", "f441de64cb66c0c9"))
+        self.assertEqual([state for state, _ in self.compare(old, moved)], ["same", "same"])
+
+    def test_the_scene_of_a_run_is_its_text(self):
+        text = (SOURCE / "configs/scenes/furnace.json").read_text()
+        self.scratch.write("s.json", text)
+        self.scratch.write("elsewhere/t.json", text)
+        with_scene = (*changed(ONE, spp="1"), "-q", "--scene")
+        self.run_ok(*with_scene, "s.json", "--out", "a")
+        self.run_ok(*with_scene, "elsewhere/t.json", "--out", "b")
+        self.run_ok("compare", "a/result.json", "b/result.json")
+        self.scratch.write("s.json", text + " ")
+        self.run_ok(*with_scene, "s.json", "--out", "c")
+        self.assertIn('scene: "s.json ', self.run_ok("compare", "a/result.json", "c/result.json", code=7).stderr)
+
+    def test_the_same_card_under_another_number(self):
+        def card(key):
+            def change(result):
+                for device in result["devices"]:
+                    device.update(key=key, uuid="")
+                for case in result["cases"]:
+                    case["params"]["device"] = key
+            return change
+        old, new = (self.file(f"{i}.json", 10, 10, change=card(f"nvidia:{i}")) for i in (0, 4))
+        self.assertEqual([state for state, _ in self.compare(old, new)], ["same", "same"])
+        self.assertIn("new: device nvidia:4", self.ran.stdout)
 
     def test_allow_cross_never_returns_3(self):
         old, new = self.file("old.json", 10, 10), self.file("new.json", 20, 20)
@@ -157,6 +197,38 @@ class Formats(CompareTest):
         old, new = self.google("old.json", copy=100, fill=50), self.google("new.json", copy=150, fill=50)
         self.assertEqual([s for s, _ in self.compare(old, new, "--gate-single-session", code=3)], ["regressed", "same"])
 
+    def test_google_benchmark_in_a_container(self):
+        def file(name, host):
+            rows = [{"name": "copy", "real_time": 5, "time_unit": "ns", "rays": float("nan")} for _ in range(8)]
+            return self.scratch.write(name, {"context": {"host_name": host, "num_cpus": 2}, "benchmarks": rows})
+        old, new = file("old.json", "9f86d081884c"), file("new.json", "7d865e959b24")
+        self.assertEqual(self.compare(old, new), [("same", "single-session")])
+        self.assertEqual(self.ran.stderr, 'note: host: "9f86d081884c" and "7d865e959b24"\n')
+        self.run_ok("compare", old, file("other.json", "node7"), code=0)
+        self.run_ok("compare", file("node8.json", "node8"), "other.json", code=7)
+
+    def test_google_benchmark_without_a_time(self):
+        old = self.google("old.json", copy=100, gpu=50)
+        new = json.loads((self.scratch.work / old).read_text())
+        new["benchmarks"] = [row for row in new["benchmarks"] if row["name"] == "copy"] + [
+            {"name": "gpu", "real_time": 0, "time_unit": "ns", "skipped": True, "skip_message": "no device"}]
+        self.assertEqual([state for state, _ in self.compare(old, self.scratch.write("new.json", new), code=6)],
+                         ["same", "missing"])
+        self.assertIn("no device", self.ran.stdout)
+
+    def test_a_journal_and_stdin(self):
+        old = self.file("old.json", 10, 10)
+        result = json.loads((self.scratch.work / old).read_text())
+        lines = [{**result, "cases": []}, *result["cases"]]
+        journal = self.scratch.write("journal.jsonl", "".join(json.dumps(line) + "\n" for line in lines))
+        self.assertEqual([state for state, _ in self.compare(old, journal)], ["same", "same"])
+        with open(self.scratch.work / journal) as stdin:
+            ran = self.run_ok("compare", old, "-", stdin=stdin)
+        self.assertIn("base: old.json; new: -\n", ran.stdout)
+        self.assertIn("2 same", ran.stdout)
+        self.assert_refused("compare", "-", "-", says="- (stdin) twice")
+        self.assert_refused("compare", old, "-", says="stdin: not JSON")
+
     def test_nvbench(self):
         def file(name, seconds):
             value = {"tag": "nv/cold/time/gpu/mean", "data": [{"name": "value", "type": "float64", "value": seconds}]}
@@ -166,6 +238,17 @@ class Formats(CompareTest):
         self.assertEqual(self.compare(file("old.json", "0.001"), file("new.json", "0.002")),
                          [("inconclusive", "single-session")])
         self.assertIn("2.000", self.ran.stdout)
+
+    def test_nvbench_on_a_card_of_another_number(self):
+        def file(number):
+            value = {"tag": "nv/cold/time/gpu/mean", "data": [{"name": "value", "type": "float64", "value": "0.001"}]}
+            states = [{"name": f"Device={number} N={n}", "device": number, "is_skipped": False, "summaries": [value]}
+                      for n in (1, 2)]
+            return self.scratch.write(f"{number}.json", {"devices": [{"id": number, "name": "H200", "sm_version": 900}],
+                                                         "benchmarks": [{"name": "copy", "states": states}]})
+        for words in ((), ("--allow-cross",)):
+            self.assertEqual([state for state, _ in self.compare(file(0), file(4), *words)], ["inconclusive"] * 2)
+        self.assertIn("copy N=2", self.ran.stdout)
 
     def test_outputs(self):
         old, new = self.file("old.json", 10, 10), self.file("new.json", 10, 10)

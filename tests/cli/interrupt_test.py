@@ -52,6 +52,19 @@ class Interrupted(CliTest):
                 self.assertIn("go on with: ptbench --resume out/journal.jsonl", err)
                 (self.scratch.work / "out/journal.jsonl").unlink()
 
+    def test_another_run_is_kept_out_of_the_folder_until_the_first_ends(self):
+        process = self.start_and_wait_for_one_record()
+        begun = self.journal()
+        for words in ((*ONE, "--out", "out"), (*ONE, "--out", "../work/out"), ("--resume", "out/journal.jsonl", "-q")):
+            line = self.assert_refused(*words, says=["--out: ", "in use by another run"])
+            self.assertIn("name another folder", line)
+        self.assertEqual(self.journal(), begun)
+        process.kill()  # with SIGKILL: nothing is tidied up
+        process.wait()
+        for left in (self.scratch.root / "tmp").iterdir():
+            shutil.rmtree(left)
+        self.run_ok(*ONE, "--out", "out", "-q")
+
     def test_a_second_one_ends_at_once_and_leaves_the_journal(self):
         process = self.start_and_wait_for_one_record("--no-isolate")  # which cannot stop within a case
         time.sleep(2)  # the first record is in the journal before the second case begins

@@ -49,9 +49,11 @@ class Scratch:
         return {**kept, "XDG_CONFIG_HOME": str(self.root / "config"), "OCL_ICD_VENDORS": str(self.icds), "OCL_ICD_FILENAMES": "",
                 "TMPDIR": str(self.root / "tmp"), **variables}
 
-    def start(self, *words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, **variables):
-        return subprocess.Popen([BINARY, *map(str, words)], cwd=self.work, env=self.environment(**variables),
-                                stdin=subprocess.DEVNULL, stdout=stdout, stderr=stderr, text=True)
+    def start(self, *words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, folder=None,
+              **variables):
+        """In a folder of `work`, or in it."""
+        return subprocess.Popen([BINARY, *map(str, words)], cwd=self.work / (folder or ""),
+                                env=self.environment(**variables), stdin=stdin, stdout=stdout, stderr=stderr, text=True)
 
     def run(self, *words, timeout=60, **options):
         with self.start(*words, **options) as process:

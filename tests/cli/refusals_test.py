@@ -1,9 +1,10 @@
 """A mistake in flags, axes, configs or scenes: exit code 2, one line that says what and what is allowed, no file."""
 
 import json
+import re
 import unittest
 
-from ptbench import SOURCE, CliTest
+from ptbench import ONE, SOURCE, CliTest
 
 THESIS_SCENE = (SOURCE / "configs/scenes/thesis.json").read_text()
 
@@ -55,6 +56,40 @@ class Flags(CliTest):
                 line = self.refused(*words, says=[allowed])
                 self.assertTrue(words[0] in line or axis in line, line)
 
+    def test_an_empty_value_of_any_option_that_help_lists(self):
+        """What a script passes on from a variable that nobody set must not switch a gate off."""
+        tried = 0
+        for command in ("run", "list", "render", "compare", "ab", "tune", "doctor", "report"):
+            listed = self.run_ok(command, "--help").stdout
+            for flag in re.findall(r"^ +(?:-\w,)?(--[a-z-]+) (?:TEXT|VALUES|INT|UINT|FLOAT)", listed, re.MULTILINE):
+                with self.subTest(command=command, flag=flag):
+                    self.refused(command, flag, "", says=[f'{flag}: found ""; allowed: '])
+                    tried += 1
+        self.assertGreater(tried, 80)
+        self.refused("--dry-run", "--baseline=", "--csv", "x", says=['--baseline: found ""', "a name or a result file"])
+        self.assert_refused("--dry-run", PTBENCH_BASELINE="", says=['--baseline: found ""', "PTBENCH_BASELINE"])
+        self.assert_refused("--dry-run", PTBENCH_QUIET="", says=['--quiet: found ""', "true, false"])
+
+    def test_more_samples_at_least_than_at_most(self):
+        self.refused("--min-samples", "20", "--max-samples", "10", says=["--min-samples: found 20", "--max-samples, 10"])
+        self.refused("--samples", "3", "--min-samples", "4", says=["--min-samples: found 4", "at most --max-samples, 3"])
+        listed = self.run_ok("--max-samples", "4", "--dump-config").stdout
+        self.assertEqual([json.loads(listed)[key] for key in ("min_samples", "max_samples")], [4, 4])
+        name = self.scratch.write("my.json", {"min_samples": 9, "max_samples": 8})
+        self.refused("--config", name, says=["my.json: /min_samples: found 9", "at most max_samples, 8"])
+
+    def test_what_the_file_system_refuses_is_said_in_our_words(self):
+        long = "x" * 5000
+        for words, says in [(("--scene", long), "scene: found"), (("--baseline", long), "--baseline: found"),
+                            (("--out", long), "--out: cannot create"), (("--config", long), "config: found"),
+                            (("--resume", long), "--resume"), (("--csv", long), "--csv: cannot write"),
+                            (("--tune-file", long), "cannot read"), (("--kernel-dir", long), "--kernel-dir")]:
+            with self.subTest(words[0]):
+                line = self.assert_refused(*ONE, *words, says=says)
+                self.assertNotIn("filesystem error", line)
+        line = self.assert_refused(*ONE, TMPDIR="/missing", says="TMPDIR: found /missing, which is no folder")
+        self.assertNotIn("filesystem error", line)
+
     def test_work_that_no_counter_holds(self):
         self.refused("--spp", "2147483647", says=["spp x path_length", "2147483647 x 128", "4294967296"])
 
@@ -92,6 +127,23 @@ class Axes(CliTest):
         self.refused("(spp,size)=[(1,2,3)]", "(spp,size)", "2 values")
         self.refused("(spp,spp)=[(1,2)]", "spp", "twice")
 
+    def test_a_comma_in_a_value(self):
+        self.refused("scene=a,b.json", "scene", "one value, or a list in brackets; a comma in a value is \\,")
+        text = (SOURCE / "configs/scenes/furnace.json").read_text()
+        for name in ("a,b.json", "c.json"):
+            self.scratch.write(name, text)
+
+        def scenes(*words):
+            config = json.loads(self.run_ok(*words, "--dump-config").stdout)
+            return {scene for series in config["series"] for scene in series["scene"]}
+        self.assertEqual(scenes("--scene", "a,b.json"), {"a,b.json"})
+        self.assertEqual(scenes("--scene", "a\\,b.json,c.json"), {"a,b.json", "c.json"})
+        self.assertEqual(scenes("-a", "scene=[a\\,b.json,c.json]"), {"a,b.json", "c.json"})
+        for name in ("a,b.json", "a\\,b.json"):
+            self.run_ok("render", "-d", "pocl:1", "--scene", name, "--size", "4", "--spp", "1", "-o", "x.ppm", "-q")
+        self.assert_refused("render", "--spp", "1,2", "-o", "y.ppm", says='spp: found "1,2"; allowed: one value')
+        self.assertEqual(scenes("--config", self.scratch.write("my.json", {"series": [{"scene": ["a,b.json"]}]})), {"a,b.json"})
+
     def test_unknown_axis_name(self):
         self.refused("spq=3", '"spq"', "did you mean spp?", "path_length")
         self.refused("device=cpu", "not an axis", "-d")
@@ -123,6 +175,17 @@ class Configs(CliTest):
         self.refused({"series": [{"spp": [4, 0]}]}, "/series/0/spp", '"0"', "from 1")
         self.refused({"series": []}, "/series", "at least one")
         self.refused({"series": [{"kernel": "pt", "(kernel,spp)": [["pt", 1]]}]}, "/series/0", "kernel")
+
+    def test_paths_are_from_the_config(self):
+        text = (SOURCE / "configs/scenes/furnace.json").read_text()
+        for name in ("conf/near.json", "conf/both.json", "both.json", "far.json"):
+            self.scratch.write(name, text)
+        (self.scratch.work / "conf/kernels").mkdir()
+        scenes = ["near.json", "both.json", "far.json", "thesis"]
+        name = self.scratch.write("conf/my.json", {"kernel_dir": "kernels", "series": [{"scene": scenes}]})
+        config = json.loads(self.run_ok("--config", name, "--dump-config").stdout)
+        self.assertEqual(config["series"][0]["scene"], ["conf/near.json", "conf/both.json", "far.json", "thesis"])
+        self.assertEqual(config["kernel_dir"], "conf/kernels")
 
     def test_what_is_no_json(self):
         self.refused('{"max_time": NaN}', "line 1")

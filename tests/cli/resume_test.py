@@ -81,6 +81,27 @@ class GoingOn(ResumeTest):
         self.assertEqual(self.scratch.result("again")["run"]["settings"], self.scratch.result()["run"]["settings"])
 
 
+class FromAnotherFolder(CliTest):
+    def test_relative_paths_are_from_where_the_run_began(self):
+        self.scratch.write("first/my, scene.json", (SOURCE / "configs/scenes/furnace.json").read_text())
+        shutil.copytree(SOURCE / "kernels/pt", self.scratch.work / "first/kernels/pt")
+        (self.scratch.work / "second").mkdir()
+        words = (*changed(ONE, spp="1,2"), "--scene", "my, scene.json", "--kernel-dir", "kernels", "--out", "out", "-q")
+        self.run_ok(*words, folder="first")
+        journal = self.scratch.work / "first/out/journal.jsonl"
+        lines = journal.read_text().splitlines(keepends=True)
+        journal.write_text("".join(lines[:2]))
+        self.run_ok("--resume", "../first/out/journal.jsonl", "-q", folder="second")
+        after = self.scratch.result("first/out")
+        self.assertEqual([(r["params"]["spp"], r["params"]["scene"], r["status"]) for r in after["cases"]],
+                         [(1, "../first/my, scene.json", "ok"), (2, "../first/my, scene.json", "ok")])
+        self.assertEqual(after["cases"][0]["samples"], json.loads(lines[1])["samples"])
+        self.run_ok("--resume", "out/journal.jsonl", "-q", folder="first")
+        again = self.scratch.result("first/out")
+        self.assertEqual([r["params"]["scene"] for r in again["cases"]], ["my, scene.json"] * 2)
+        self.assertEqual([r["samples"] for r in again["cases"]], [r["samples"] for r in after["cases"]])
+
+
 class Refused(ResumeTest):
     def refused(self, *words, says, code=7):
         line = self.assert_refused("--resume", "out/journal.jsonl", *words, says=says, code=code)

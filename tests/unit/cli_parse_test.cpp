@@ -120,6 +120,48 @@ TEST(cli_parse, the_environment_stands_in_for_what_is_not_given) {
     EXPECT_EQ(given.axis_values.at("spp"), "8");
 }
 
+/// How the words of a command begin; those of a run need none.
+Words begun(const CommandText& command) { return command.name == "ptbench" ? Words() : Words{command.name}; }
+
+void expect_empty_refused(Words words, const Words& last, const std::string& flag, const std::string& says) {
+    words.insert(words.end(), last.begin(), last.end());
+    const std::string error = error_of(words);
+    EXPECT_EQ(error.find(flag + ": found \"\"; allowed: "), 0U)
+        << words.front() << " " << flag << ": " << error;
+    EXPECT_NE(error.find(says), std::string::npos) << error;
+}
+
+TEST(cli_parse, an_empty_value_of_any_option_is_refused) {
+    int options = 0;
+    for (const CommandText& command : command_texts())
+        for (const OptionText& option : command.options) {
+            if (option.value.empty()) continue;
+            const std::string flag = option.flags.empty() ? "files" : option.flags.back();
+            expect_empty_refused(begun(command), option.flags.empty() ? Words{""} : Words{flag, ""}, flag,
+                                 "");
+            if (!option.flags.empty()) expect_empty_refused(begun(command), {flag + "="}, flag, "");
+            if (!option.flags.empty())
+                expect_empty_refused(begun(command), {flag + "=", "--quiet"}, flag, "");
+            ++options;
+        }
+    EXPECT_GT(options, 80) << "the list of options is not whole";
+}
+
+TEST(cli_parse, an_empty_variable_of_any_option_is_refused_unless_the_option_is_given) {
+    int variables = 0;
+    for (const CommandText& command : command_texts())
+        for (const OptionText& option : command.options) {
+            if (option.variable.empty()) continue;
+            const Variable empty(option.variable.c_str(), "");
+            expect_empty_refused(begun(command), {}, option.flags.back(), "(" + option.variable + ")");
+            ++variables;
+        }
+    EXPECT_GT(variables, 40) << "the list of options is not whole";
+    const Variable empty("PTBENCH_SAMPLES", "");
+    EXPECT_EQ(run_flags({"--samples", "3"}).samples, 3);
+    EXPECT_EQ(parse_options({"compare", "a", "b"}).command, Options::Command::compare) << "not its option";
+}
+
 TEST(cli_parse, help_and_version_are_text) {
     EXPECT_NE(parse_options({"--help"}).text.find("--all-devices"), std::string::npos);
     EXPECT_NE(parse_options({"render", "--help"}).text.find("--output"), std::string::npos);
@@ -132,6 +174,8 @@ TEST(cli_parse, values_may_be_one_a_list_or_a_range) {
     EXPECT_EQ(axis_of_values("spp", "10,100").points, (Points{{"10"}, {"100"}}));
     EXPECT_EQ(axis_of_values("spp", "[10,100]").points, (Points{{"10"}, {"100"}}));
     EXPECT_EQ(axis_of_values("spp", "1:4:x2").points, (Points{{"1"}, {"2"}, {"4"}}));
+    EXPECT_EQ(axis_of_values("scene", "a\\,b.json,c").points, (Points{{"a,b.json"}, {"c"}}));
+    EXPECT_EQ(parse_axis("(scene,spp)=[(a\\,b,2),(c,3)]").points, (Points{{"a,b", "2"}, {"c", "3"}}));
     EXPECT_EQ(axis_of_values("work_group", "implicit,16x16").points, (Points{{"implicit"}, {"16x16"}}));
 }
 
@@ -185,6 +229,17 @@ TEST_F(outputs, go_into_a_folder_named_after_time_and_config) {
                                         "ptbench-results/2016-05-17T12-00-00Z-a-b/table.md"}));
     const Outputs second(RunFlags(), "a/b", noon);
     EXPECT_EQ(second.journal(), "ptbench-results/2016-05-17T12-00-00Z-a-b-2/journal.jsonl");
+}
+
+TEST_F(outputs, a_folder_is_held_while_a_run_lasts) {
+    RunFlags flags;
+    flags.out = "out";
+    {
+        Outputs first(flags, "quick", noon);
+        EXPECT_THROW(Outputs(flags, "quick", noon), UsageError);
+        first.write(ResultFile(), PublishedTable());
+    }
+    EXPECT_NO_THROW(Outputs(flags, "quick", noon));
 }
 
 TEST_F(outputs, existing_files_survive_the_check) {

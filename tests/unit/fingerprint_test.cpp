@@ -42,6 +42,23 @@ TEST(fingerprint, names_what_differs_and_both_values) {
                                             "kernel pt (was abc, is def)", "option samples (was 5, is 9)"));
 }
 
+TEST(fingerprint, the_cpus_that_a_run_may_use_count) {
+    ResultFile other = run();
+    other.host.cpus_allowed = 2;
+    other.host.cpu_quota = 0.5;
+    EXPECT_THAT(changed(other), ElementsAre("CPU quota (was none, is 0.5)", "CPUs allowed (was 0, is 2)"));
+}
+
+TEST(fingerprint, of_long_options_the_parts_that_differ_are_shown) {
+    ResultFile other = run();
+    other.run.settings.json =
+        R"({"samples":5,"series":[{"kernel":["pt"],"scene":["thesis"],"size":["128x128"],"spp":[1,2,3,4,5]}]})";
+    ResultFile same_beginning = other;
+    same_beginning.run.settings.json.replace(other.run.settings.json.find("4,5"), 3, "4,6");
+    EXPECT_THAT(differences(fingerprint_of(other), "was", fingerprint_of(same_beginning), "is"),
+                ElementsAre("option series (was ... 5]}], is ... 6]}])"));
+}
+
 TEST(fingerprint, a_tuned_launch_is_another_launch) {
     ResultFile other = run();
     other.run.tuned = {Case{"pocl:0", "pt", "thesis", {8, 8}, 1, 5, {64, 0}, 16}};

@@ -69,6 +69,7 @@ ResultFile full_result() {
              "abc",
              "GCC 12",
              "2026-01-01T00:00:00Z",
+             "/home/someone",
              true,
              7,
              false,
@@ -77,7 +78,7 @@ ResultFile full_result() {
              {"2026-01-02T00:00:00Z"},
              {"a.json 12"},
              {failed_record().params}};
-    f.host = {"box", "Linux", "6.1", "FX-6300", 6, 1u << 30, 0.5};
+    f.host = {"box", "Linux", "6.1", "FX-6300", 6, 4, 1.5, 1u << 30, 0.5};
     DeviceInfo d;
     d.key = "pocl:0";
     d.name = "Some \"CPU\" (R), fast";
@@ -240,7 +241,7 @@ TEST_F(RecordJson, journal_holds_header_and_records) {
     header.cases = {full_record()};
     Journal journal(file("j.jsonl"), header);
     journal.append(failed_record());
-    EXPECT_EQ(read_journal(file("j.jsonl")), full_result()) << "a record is not on disk once it was appended";
+    EXPECT_EQ(read_run(file("j.jsonl")), full_result()) << "a record is not on disk once it was appended";
 }
 
 TEST_F(RecordJson, journal_cut_anywhere_keeps_its_whole_lines) {
@@ -250,8 +251,15 @@ TEST_F(RecordJson, journal_cut_anywhere_keeps_its_whole_lines) {
     for (std::size_t length = header; length < whole.size(); length += 5) {
         write_file(file("cut.jsonl"), whole.substr(0, length));
         const std::size_t kept = length < first - 1 ? 0 : length < whole.size() - 1 ? 1 : 2;
-        EXPECT_EQ(read_journal(file("cut.jsonl")).cases.size(), kept) << length;
+        EXPECT_EQ(read_run(file("cut.jsonl")).cases.size(), kept) << length;
     }
+}
+
+TEST_F(RecordJson, a_journal_is_told_from_a_result) {
+    EXPECT_FALSE(is_journal(result_text(full_result())));
+    EXPECT_FALSE(is_journal(dump_json(result_to_json(full_result())) + "\n")) << "one line";
+    EXPECT_FALSE(is_journal(""));
+    EXPECT_TRUE(is_journal("{}\n{\"cut"));
 }
 
 TEST_F(RecordJson, journal_damaged_in_the_middle_names_the_line) {
@@ -260,7 +268,7 @@ TEST_F(RecordJson, journal_damaged_in_the_middle_names_the_line) {
     text.insert(text.find('\n') + 1, "garbage\n");
     write_file(file("j.jsonl"), text);
     try {
-        read_journal(file("j.jsonl"));
+        read_run(file("j.jsonl"));
         FAIL() << "garbage was read";
     } catch (const UsageError& error) {
         EXPECT_THAT(error.what(), HasSubstr("j.jsonl:2: not JSON"));

@@ -111,7 +111,7 @@ TEST(sessions, what_lost_its_time_is_missing_and_what_is_new_is_not) {
 TEST(sessions, fingerprints_must_match) {
     const std::vector base{session({session_case("a", 1e6)})};
     auto now = session({session_case("a", 1.2e6)});
-    now.cases[0].fingerprint[0].second = "4.0";
+    now.cases[0].fingerprint[0].value = "4.0";
     const Comparison refused = compare_sessions(base, {now}, rules());
     EXPECT_TRUE(refused.rows.empty());
     EXPECT_EQ(refused.differing, std::set<std::string>{"driver: \"3.1\" and \"4.0\""});
@@ -123,11 +123,140 @@ TEST(sessions, fingerprints_must_match) {
 TEST(sessions, across_machines_the_only_devices_are_matched) {
     auto now = session({session_case("a", 2e6)});
     now.cases[0].device = "nvidia:0";
+    now.cases[0].device_name = "H100";
     const std::vector base{session({session_case("a", 1e6)})};
     EXPECT_EQ(compare_sessions(base, {now}, rules()).rows.size(), 2u);
     CompareRules cross = rules();
     cross.allow_cross = true;
     EXPECT_NEAR(only(compare_sessions(base, {now}, cross)).finding.evidence.ratio(), 2, 1e-9);
+}
+
+/// A case of a scene whose text has this hash, on a device.
+SessionCase scene_case(const std::string& scene, const std::string& hash, double ns = 1e6) {
+    SessionCase c = session_case("", ns);
+    c.params = Case{"pocl:0", "pt", scene, {8, 8}, 1, 5, {}, 0};
+    c.name = case_text(*c.params);
+    c.scene_hash = hash;
+    return c;
+}
+
+Comparison compare(std::vector<SessionCase> base, std::vector<SessionCase> now) {
+    return compare_sessions({session(std::move(base))}, {session(std::move(now))}, rules());
+}
+
+std::vector<std::string> states(const Comparison& comparison) {
+    std::vector<std::string> states;
+    for (const Row& row : comparison.rows) states.push_back(to_string(row.finding.state));
+    return states;
+}
+
+using Texts = std::vector<std::string>;
+
+TEST(sessions, an_edited_scene_is_another_under_the_same_name) {
+    const Comparison edited = compare({scene_case("s.json", "f4")}, {scene_case("s.json", "c4")});
+    EXPECT_EQ(edited.differing, std::set<std::string>{"scene: \"s.json f4\" and \"s.json c4\""});
+    EXPECT_TRUE(edited.rows.empty());
+    EXPECT_TRUE(compare({scene_case("s.json", "f4")}, {scene_case("s.json", "f4")}).differing.empty());
+    EXPECT_EQ(states(compare({scene_case("s.json", "f4")}, {scene_case("s.json", "")})), Texts{"same"})
+        << "what an older file does not say is no difference";
+}
+
+TEST(sessions, a_scene_is_its_text_wherever_its_file_lies) {
+    const Comparison moved = compare({scene_case("a/s.json", "f4")}, {scene_case("b.json", "f4", 1.2e6)});
+    EXPECT_EQ(states(moved), Texts{"regressed"});
+    EXPECT_EQ(moved.rows.at(0).name, "pt a/s.json 8x8 spp 1 length 5");
+    const Comparison swapped = compare({scene_case("x", "f4"), scene_case("y", "c4", 2e6)},
+                                       {scene_case("x", "c4", 2e6), scene_case("y", "f4")});
+    EXPECT_EQ(states(swapped), (Texts{"same", "same"}));
+}
+
+TEST(sessions, a_scene_that_took_a_name_over_from_one_that_moved_is_new) {
+    const Comparison both = compare({scene_case("x", "f4")}, {scene_case("x", "c4"), scene_case("y", "f4")});
+    EXPECT_TRUE(both.differing.empty());
+    EXPECT_EQ(states(both), (Texts{"same", "unmeasured"}));
+}
+
+TEST(sessions, one_text_under_two_names_stays_two_cases) {
+    const std::vector twice{scene_case("x", "f4"), scene_case("y", "f4")};
+    EXPECT_EQ(states(compare(twice, twice)), (Texts{"same", "same"}));
+}
+
+SessionCase device_case(const std::string& key, const std::string& name, const std::string& uuid,
+                        double ns = 1e6) {
+    SessionCase c = session_case("a", ns);
+    c.device = key;
+    c.device_name = name;
+    c.device_uuid = uuid;
+    c.fingerprint = {{"device", name}};
+    return c;
+}
+
+TEST(sessions, the_same_card_under_another_number_is_matched_by_its_uuid) {
+    const Comparison swapped =
+        compare({device_case("nvidia:0", "H100", "aa"), device_case("nvidia:1", "H100", "bb", 2e6)},
+                {device_case("nvidia:0", "H100", "bb", 2e6), device_case("nvidia:1", "H100", "aa")});
+    EXPECT_EQ(states(swapped), (Texts{"same", "same"}));
+    EXPECT_EQ(swapped.rows.at(0).note, "new: device nvidia:1");
+}
+
+TEST(sessions, a_card_is_matched_by_its_name_where_that_is_the_only_one) {
+    EXPECT_EQ(states(compare({device_case("nvidia:0", "H100", "")}, {device_case("nvidia:4", "H100", "")})),
+              Texts{"same"});
+    const Comparison doubtful =
+        compare({device_case("nvidia:0", "H100", ""), device_case("nvidia:1", "H100", "")},
+                {device_case("nvidia:4", "H100", "")});
+    EXPECT_EQ(states(doubtful), (Texts{"missing", "missing", "unmeasured"}));
+}
+
+TEST(sessions, equal_cards_of_two_machines_are_matched_by_number) {
+    const Comparison same =
+        compare({device_case("nvidia:0", "H100", "aa"), device_case("nvidia:1", "H100", "bb")},
+                {device_case("nvidia:1", "H100", "cc"), device_case("nvidia:0", "H100", "dd")});
+    EXPECT_EQ(states(same), (Texts{"same", "same"}));
+    EXPECT_EQ(same.rows.at(0).note, "");
+}
+
+TEST(sessions, another_card_in_the_same_place_differs) {
+    EXPECT_EQ(
+        compare({device_case("nvidia:0", "H100", "aa")}, {device_case("nvidia:0", "H200", "bb")}).differing,
+        std::set<std::string>{"device: \"H100\" and \"H200\""});
+}
+
+TEST(sessions, of_long_values_the_parts_that_differ_are_shown) {
+    SessionCase base = session_case("a", 1e6), now = session_case("a", 1e6);
+    const std::string options = "-cl-std=CL1.2 -cl-mad-enable -cl-no-signed-zeros -DSPHERES=9 -DPATHS=128 ";
+    base.fingerprint = {{"build options", options + "-DLANES=16 -DLAST"}};
+    now.fingerprint = {{"build options", options + "-DLANES=8 -DLAST"}};
+    EXPECT_EQ(compare({base}, {now}).differing,
+              std::set<std::string>{"build options: \"... -DLANES=16 -DLAST\" and \"... -DLANES=8 -DLAST\""});
+}
+
+TEST(sessions, what_may_differ_is_noted) {
+    SessionCase base = session_case("a", 1e6), now = session_case("a", 1e6);
+    base.fingerprint = {{"host", "9f86d081884c", true}};
+    now.fingerprint = {{"host", "7d865e959b24", true}};
+    const Comparison noted = compare({base}, {now});
+    EXPECT_EQ(states(noted), Texts{"same"});
+    EXPECT_TRUE(noted.differing.empty());
+    EXPECT_EQ(noted.notes, std::set<std::string>{"host: \"9f86d081884c\" and \"7d865e959b24\""});
+}
+
+TEST(sessions, compute_units_and_the_cpus_that_a_run_might_use_must_match) {
+    Record record;
+    record.params.device = "pocl:0";
+    record.status = Status::ok;
+    record.statistics.emplace();
+    record.samples.assign(10, {1000, 1000, 1000, 0, 0, 0, ""});
+    ResultFile base;
+    base.cases = {record};
+    base.devices.emplace_back().key = "pocl:0";
+    base.devices[0].compute_units = base.host.cpus_allowed = 4;
+    ResultFile now = base;
+    now.devices[0].compute_units = now.host.cpus_allowed = 2;
+    now.host.cpu_quota = 1.5;
+    EXPECT_EQ(compare_sessions({session_of(base, "a")}, {session_of(now, "b")}, rules()).differing,
+              (std::set<std::string>{"compute units: \"4\" and \"2\"", "CPUs allowed: \"4\" and \"2\"",
+                                     "CPU quota: \"none\" and \"1.5\""}));
 }
 
 TEST(sessions, holm_counts_all_compared_cases) {
