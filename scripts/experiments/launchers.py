@@ -57,7 +57,8 @@ def trial(name, expected, ptbench, launcher, *words, says="", interrupt_after_s=
         took_s = time.monotonic() - begin
     stayed = left()
     good = process.returncode == expected and says in said and not stayed
-    print(f"{'good' if good else 'BAD '}  {launcher.split()[0]:7} {name:12} exit {process.returncode}  {took_s:5.2f} s  {(said.strip().splitlines() or [""])[-1][-100:]}")
+    last_words = said.strip().split("\n")[-1][-100:]
+    print(f"{'good' if good else 'BAD '}  {launcher.split()[0]:7} {name:12} exit {process.returncode}  {took_s:5.2f} s  {last_words}")
     for each in stayed:
         print("      left:", each)
     return good

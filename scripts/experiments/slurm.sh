@@ -5,9 +5,14 @@ set -euo pipefail
 
 scratch=$(mktemp -d /tmp/ptbench-slurm-XXXXXX)
 daemons=()
+# The last that was started first: the end of a step is told to slurmctld, by munged's word.
 end_all() {
-    for pid in "${daemons[@]}"; do kill "$pid" 2>/dev/null || true; done
-    wait
+    scancel --user root 2>/dev/null || true
+    sleep 1
+    for ((i = ${#daemons[@]} - 1; i >= 0; i--)); do
+        kill "${daemons[i]}" 2>/dev/null || true
+        wait "${daemons[i]}" || true
+    done
     rm -rf "$scratch"
 }
 trap end_all EXIT
