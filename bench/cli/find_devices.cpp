@@ -43,13 +43,24 @@ DeviceList find_devices(const CommonFlags& flags) {
     return list;
 }
 
+namespace {
+
+/// Its driver is installed, and broken.
+bool has_pocl(const DeviceList& list) {
+    return std::any_of(list.broken.begin(), list.broken.end(),
+                       [](const BrokenIcd& broken) { return broken.icd.find("pocl") != std::string::npos; });
+}
+
+}  // namespace
+
 bool any_usable(const DeviceList& list) {
     return std::any_of(list.devices.begin(), list.devices.end(),
                        [](const DeviceInfo& device) { return device.excluded.empty(); });
 }
 
 std::string no_device_text(const DeviceList& list) {
-    std::string text = "no OpenCL device found; install a driver, e.g. `apt-get install pocl-opencl-icd`";
+    std::string text = "no OpenCL device found";
+    if (!has_pocl(list)) text += "; install a driver, e.g. `apt-get install pocl-opencl-icd`";
     for (const BrokenIcd& broken : list.broken) text += fmt::format("; {}: {}", broken.icd, broken.reason);
     return text;
 }

@@ -1,8 +1,10 @@
 """Which devices are found and chosen, and what is said when there is none, or a driver that cannot be used."""
 
 import json
+import os
 import shutil
 import unittest
+from unittest import mock
 
 from ptbench import ONE, TINY, CliTest
 
@@ -31,6 +33,22 @@ class NoDriver(CliTest):
     def test_a_driver_without_devices_is_named(self):
         shutil.copy("/dev/null", self.scratch.icds / "empty.icd")
         self.assert_refused(code=77, says=["empty.icd", "no device here"])
+
+
+class NoCache(CliTest):
+    @mock.patch.dict(os.environ)
+    def test_pocl_without_a_cache_it_can_write_is_told_from_no_driver(self):
+        self.scratch.write("file", "")
+        for name in ("POCL_CACHE_DIR", "XDG_CACHE_HOME", "HOME"):
+            os.environ.pop(name, None)
+        for variable in ("HOME", "XDG_CACHE_HOME", "POCL_CACHE_DIR"):  # each goes before those before it
+            os.environ[variable] = "file/x"
+            for words in ((), ("render", "-o", "x.png"), ("list",)):
+                with self.subTest(variable=variable, words=words):
+                    err = self.run_ok(*words, code=77).stderr
+                    self.assertRegex(err, r'pocl\.icd: PoCL cannot write its cache "file/x[^"]*": Not a directory; '
+                                          r'set POCL_CACHE_DIR')
+                    self.assertNotIn("install", err)
 
 
 class OddDrivers(CliTest):
