@@ -62,7 +62,7 @@ MeasureOptions options_of(const RenderFlags& flags, const CommonFlags& common) {
 /// Shows the share that is done on a terminal, while it lives.
 class ShareDone {
   public:
-    explicit ShareDone(bool quiet) : live_(!quiet && ::isatty(STDERR_FILENO) != 0) {}
+    explicit ShareDone(bool quiet) : live_(!quiet && is_live(stderr)) {}
     ~ShareDone() {
         if (live_) put(stderr, "\r\033[K");
     }
@@ -111,6 +111,8 @@ int render_command(const Options& options) {
     DeviceWorker worker(device, process_channels(worker_launch(options.common), longest_silence, stopped),
                         options_of(flags, options.common));
     const Reply reply = rendered(worker, c, options.common.quiet);
+    if (options.common.verbose && !reply.printed.empty())
+        tell(options.common, "printed by the driver:\n" + reply.printed);
     write_image(flags.output, *reply.picture);
     const bool whole = reply.response.whole;
     tell(options.common, "written: " + flags.output + (whole ? "" : " (interrupted: as far as it got)"));

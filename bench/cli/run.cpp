@@ -5,7 +5,6 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "bench/cli/baseline.h"
 #include "bench/cli/check.h"
@@ -104,7 +103,7 @@ OpenChannel channels(const Options& options, const Config& config, const Stopped
 
 ProgressStyle progress_style(const CommonFlags& flags) {
     if (flags.quiet) return ProgressStyle::silent;
-    return ::isatty(STDERR_FILENO) != 0 ? ProgressStyle::live : ProgressStyle::lines;
+    return is_live(stderr) ? ProgressStyle::live : ProgressStyle::lines;
 }
 
 std::vector<std::string> warnings_before(const HostInfo& host, const Options& options) {

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <set>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -21,15 +22,21 @@ void tell(const CommonFlags& flags, const std::string& line) {
 }
 
 void tell_waiting(const CommonFlags& flags, const std::string& words) {
-    const char* const clear_line = ::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
+    const char* const clear_line = is_live(stderr) ? "\r\033[K" : "";
     tell(flags, fmt::format("{}waiting for a worker of --launcher{}{}", clear_line, words.empty() ? "" : ": ",
                             words));
+}
+
+bool is_live(std::FILE* out) {
+    const char* const term = std::getenv("TERM");
+    const std::string_view kind = term == nullptr ? "" : term;
+    return !kind.empty() && kind != "dumb" && ::isatty(::fileno(out)) != 0;
 }
 
 bool use_colour(const CommonFlags& flags, std::FILE* out) {
     if (flags.color != "auto") return flags.color == "always";
     const char* const no_colour = std::getenv("NO_COLOR");
-    return (no_colour == nullptr || *no_colour == '\0') && ::isatty(::fileno(out)) != 0;
+    return (no_colour == nullptr || *no_colour == '\0') && is_live(out);
 }
 
 TextStyle text_style(const CommonFlags& flags, std::FILE* out) {

@@ -20,7 +20,10 @@ void tell(const CommonFlags& flags, const std::string& line);
 /// Says what a launcher last said while it has not started a worker.
 void tell_waiting(const CommonFlags& flags, const std::string& words);
 
-/// Whether to colour what goes to `out`: as --color says, else only on a terminal and without NO_COLOR.
+/// Whether `out` is a terminal that can take back what it shows: not where TERM is "dumb" or empty.
+bool is_live(std::FILE* out);
+
+/// Whether to colour what goes to `out`: as --color says, else only on a live terminal and without NO_COLOR.
 bool use_colour(const CommonFlags& flags, std::FILE* out);
 
 /// Width and colours of what goes to `out`; no limit unless it is a terminal.

@@ -20,6 +20,7 @@ struct Reply {
     Response response;             ///< when answered: anything but progress and pixels
     std::string reason;            ///< when not answered: "killed by SIGSEGV (11): last line of stderr"
     std::optional<Image> picture;  ///< when answered, and all of it came
+    std::string printed = {};      ///< when answered: the last of what the driver printed meanwhile
 };
 
 /// The way to one device's session, wherever it runs. Once a request was not answered, the channel is dead.

@@ -75,11 +75,22 @@ void DeviceWorker::judge(const Reply& reply) {
     }
 }
 
+/// A compiler prints when a kernel is built, which an estimate may do before the first record.
+void DeviceWorker::keep_printed(const std::string& kernel, Reply& reply) {
+    std::string& printed = printed_[kernel];
+    if (!reply.printed.empty()) printed += (printed.empty() ? "" : "\n") + reply.printed;
+    if (printed.empty() || !reply.response.record || !reply.response.record->build) return;
+    std::string& log = reply.response.record->build->log;
+    log += fmt::format("{}printed by the driver:\n{}", log.empty() ? "" : "\n", printed);
+    printed.clear();
+}
+
 Reply DeviceWorker::request(const Request& request, const Channel::Progress& progress) {
     Request complete = request;
     if (is_as_here_ && !request.params.scene.empty())
         complete.scene_hash = hash_of_scene(request.params.scene);
     Reply reply = channel_->request(complete, progress);
+    keep_printed(request.params.kernel, reply);
     if (reply.end != Reply::End::answered || reply.response.device_failed) close();
     return reply;
 }

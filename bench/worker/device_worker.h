@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -46,6 +47,7 @@ class DeviceWorker {
     Reply open();
     void check_facts(const Response& ready);
     void judge(const Reply& reply);
+    void keep_printed(const std::string& kernel, Reply& reply);
 
     DeviceInfo device_;
     OpenChannel open_;
@@ -55,6 +57,7 @@ class DeviceWorker {
     std::unique_ptr<Channel> channel_;
     std::string given_up_;
     int failed_opens_ = 0;
+    std::map<std::string, std::string> printed_;  ///< by kernel: what is to go beside its next build's log
 };
 
 }  // namespace ptb

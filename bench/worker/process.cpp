@@ -141,11 +141,15 @@ struct WorkerProcess::Impl {
         });
     }
 
+    void take_in_stderr() {
+        io.restart();
+        io.poll();
+    }
+
     /// What a child that has answered and lives has said so far is not what it will die of.
     void forget_stderr() {
         if (!has_answered || !running()) return;
-        io.restart();
-        io.poll();
+        take_in_stderr();
         tail.clear();
     }
 
@@ -264,7 +268,10 @@ std::string WorkerProcess::ending() {
     return impl_->ending;
 }
 
-std::string WorkerProcess::stderr_tail() const { return impl_->tail; }
+std::string WorkerProcess::stderr_tail() const {
+    impl_->take_in_stderr();
+    return impl_->tail;
+}
 
 bool WorkerProcess::end() {
     if (!impl_->ending.empty()) return impl_->nothing_left;

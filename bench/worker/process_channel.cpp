@@ -34,7 +34,10 @@ class ProcessChannel : public Channel {
         for (;;) {
             Reply reply = next(numbered);
             if (reply.end != Reply::End::answered) return reply;
-            if (auto last = partial.take(reply.response)) return std::move(*last);
+            if (auto last = partial.take(reply.response)) {
+                last->printed = printed();
+                return std::move(*last);
+            }
         }
     }
 
@@ -104,6 +107,12 @@ class ProcessChannel : public Channel {
     }
 
     Reply crashed() { return {Reply::End::crashed, {}, with_last_words(process_.ending()), {}}; }
+
+    /// What drivers and their compilers printed since the request.
+    std::string printed() const {
+        const std::string words = process_.stderr_tail();
+        return words.substr(0, words.find_last_not_of(" \t\r\n") + 1);  // npos + 1 is 0
+    }
 
     std::string last_words() const { return printable(last_line(process_.stderr_tail())); }
 

@@ -30,10 +30,12 @@ const std::map<std::string, Kind>& kinds() {
         {"crash", {"clEnqueueNDRangeKernel", {"call", "how"}}},
         {"lose", {"clEnqueueNDRangeKernel", {"call", "code"}}},
         {"corrupt", {"clEnqueueReadBuffer", {"pixels", "pixel_bytes", "factor"}}},
+        {"say", {"clBuildProgram", {"call", "text", "to"}}},
         {"slow", {"clEnqueueNDRangeKernel", {"factor"}}},
     };
     return all;
 }
+const std::set<std::string> before_calls{"say", "fail", "hang", "crash", "lose"};
 const std::set<std::string> keys_of_all{"from", "at", "count", "share", "kernel", "local", "once", "given"};
 
 Fault parse_fault(const std::string& text) {
@@ -58,6 +60,11 @@ bool falls_into(double share, std::uint64_t number) {
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     return static_cast<double>((z ^ (z >> 31)) >> 11) < share * 0x1p53;
+}
+
+void say(const Fault& fault) {
+    const int to = fault.value("to", "stderr") == "stdout" ? STDOUT_FILENO : STDERR_FILENO;
+    ::dprintf(to, "%s\n", fault.value("text", "1_warning_generated.").c_str());
 }
 
 [[noreturn]] void hang() {
@@ -122,14 +129,14 @@ bool Injector::fires(Fault& fault, const std::string& call) {
 
 cl_int Injector::before(const std::string& call) {
     for (Fault& fault : faults_) {
-        if (fault.kind != "fail" && fault.kind != "hang" && fault.kind != "crash" && fault.kind != "lose")
-            continue;
+        if (!before_calls.contains(fault.kind)) continue;
         if (lost_ != CL_SUCCESS || !fires(fault, call)) continue;
+        if (fault.kind == "say") say(fault);
         if (fault.kind == "hang") hang();
         if (fault.kind == "crash") crash(fault.value("how", "abort"), call);
         const auto code = static_cast<cl_int>(fault.number("code", CL_OUT_OF_RESOURCES));
         if (fault.kind == "fail") return code;
-        lost_ = code;
+        if (fault.kind == "lose") lost_ = code;
     }
     return lost_;
 }
