@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -170,15 +172,31 @@ void Injector::launched(cl_command_queue queue, cl_event event) {
     }
 }
 
-/// The first three floats of a pixel are its red, green and blue.
+namespace {
+
+/// Red, green and blue of a pixel: three whole numbers in a film of 64 bytes a pixel, else three floats. What
+/// is no number is the least whole one there.
+void scale_pixel(char* pixel, std::size_t pixel_bytes, double factor) {
+    for (int c = 0; c < 3; ++c) {
+        if (pixel_bytes == 64) {
+            auto& sum = reinterpret_cast<std::int64_t*>(pixel)[c];
+            sum = std::isnan(factor) ? std::numeric_limits<std::int64_t>::min()
+                                     : static_cast<std::int64_t>(static_cast<double>(sum) * factor);
+        } else {
+            reinterpret_cast<float*>(pixel)[c] *= static_cast<float>(factor);
+        }
+    }
+}
+
+}  // namespace
+
 void Injector::was_read(void* data, size_t bytes) {
     for (Fault& fault : faults_) {
         if (fault.kind != "corrupt" || !fires(fault, "clEnqueueReadBuffer")) continue;
-        const auto pixel_bytes = static_cast<size_t>(fault.number("pixel_bytes", 48));
+        const auto pixel_bytes = static_cast<size_t>(fault.number("pixel_bytes", 64));
         for (size_t i = 0; (i + 1) * pixel_bytes <= bytes; ++i) {
             if (!falls_into(fault.number("pixels", 1), i)) continue;
-            auto* const rgb = reinterpret_cast<float*>(static_cast<char*>(data) + i * pixel_bytes);
-            for (int c = 0; c < 3; ++c) rgb[c] *= static_cast<float>(fault.number("factor", 0));
+            scale_pixel(static_cast<char*>(data) + i * pixel_bytes, pixel_bytes, fault.number("factor", 0));
         }
     }
 }
