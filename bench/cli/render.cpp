@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -30,6 +32,26 @@ DeviceInfo choose_device(const std::string& selector, const std::vector<DeviceIn
                                  chosen.size(), chosen[0].key));
 }
 
+bool names_spp(const RenderFlags& flags) {
+    const auto of_spp = [](const std::string& text) {
+        const auto names = parse_axis(text).names;
+        return std::find(names.begin(), names.end(), "spp") != names.end();
+    };
+    return flags.axis_values.contains("spp") || std::any_of(flags.axes.begin(), flags.axes.end(), of_spp);
+}
+
+/// How many samples a pixel gets must not be asked for twice, nor be known before.
+void check_time(const RenderFlags& flags, const Case& c) {
+    if (!flags.time_s) return;
+    if (names_spp(flags))
+        throw UsageError(
+            "--time: found beside --spp; allowed: one of them, since the time decides the samples");
+    if (c.variant.pixel_filter == PixelFilter::stratified)
+        throw UsageError(
+            "--time: found beside pixel_filter stratified, whose grid is laid by --spp; allowed: "
+            "jitter, centre");
+}
+
 Case case_of(const RenderFlags& flags) {
     Case c = default_case();
     for (const std::string& text : flags.axes) {
@@ -43,7 +65,18 @@ Case case_of(const RenderFlags& flags) {
     for (const auto& [axis, value] : flags.axis_values) set_case_value(c, axis, value);
     check_case(c);
     check_names({c});
+    check_time(flags, c);
     return c;
+}
+
+/// "written: x.png (123 SPP in 10.02 s)"
+std::string outcome_text(const RenderRequest& request, const Rendered& rendered) {
+    std::vector<std::string> remarks;
+    if (request.time_s)
+        remarks.push_back(fmt::format("{:.7g} SPP in {:.4g} s", rendered.spp, rendered.seconds));
+    if (!rendered.whole) remarks.emplace_back("interrupted: as far as it got");
+    if (remarks.empty()) return "written: " + request.output;
+    return fmt::format("written: {} ({})", request.output, fmt::join(remarks, "; "));
 }
 
 void show_progress(double done) { put(stderr, fmt::format("\r{:3.0f} %", 100 * done)); }
@@ -53,7 +86,7 @@ void show_progress(double done) { put(stderr, fmt::format("\r{:3.0f} %", 100 * d
 int render_command(const Options& options) {
     const RenderFlags& flags = options.render;
     check_output(flags.output);
-    RenderRequest request{case_of(flags), flags.seed, options.common.kernel_dir, flags.output};
+    RenderRequest request{case_of(flags), flags.seed, options.common.kernel_dir, flags.output, flags.time_s};
     const DeviceList list = find_devices(options.common);
     if (!any_usable(list)) {
         put(stderr, no_device_text(list) + "\n");
@@ -65,11 +98,11 @@ int render_command(const Options& options) {
     request.params.device = local_key(device.key);
     const auto& stop = watch_for_interruption();
     const bool live = !options.common.quiet && ::isatty(STDERR_FILENO) != 0;
-    const bool whole = render_to_file(
+    const Rendered rendered = render_to_file(
         request, live ? show_progress : [](double) {}, stop);
     if (live) put(stderr, "\r\033[K");
-    tell(options.common, "written: " + flags.output + (whole ? "" : " (interrupted: as far as it got)"));
-    return whole ? exit_codes::done : exit_codes::interrupted;
+    tell(options.common, outcome_text(request, rendered));
+    return rendered.whole ? exit_codes::done : exit_codes::interrupted;
 }
 
 }  // namespace ptb

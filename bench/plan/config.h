@@ -80,6 +80,8 @@ std::string to_string(WorkGroup work_group);
 /// "128x128"
 std::string to_string(Size size);
 
+/// The most samples per pixel that `check_case` lets pass.
+int most_spp(int path_length);
 /// Throws UsageError unless spp x path_length, the most segments of one pixel, fits in 32 bits.
 void check_case(const Case& c);
 

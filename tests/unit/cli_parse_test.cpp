@@ -50,6 +50,8 @@ TEST(cli_parse, commands_are_told_apart) {
     EXPECT_EQ(render.device, "0");
     EXPECT_EQ(render.output, "x.png");
     EXPECT_EQ(render.axis_values.at("spp"), "16");
+    EXPECT_FALSE(render.time_s);
+    EXPECT_EQ(parse_options({"render", "--time", "2.5", "-o", "x.png"}).render.time_s, 2.5);
 }
 
 TEST(cli_parse, lists_are_made_by_repeating_and_keep_brackets) {
