@@ -44,6 +44,7 @@ SessionCase case_of(const ResultFile& result, const Record& record) {
                      {"driver", device.driver_version},
                      {"CPU", result.host.cpu},
                      {"tuned", launch_tuned(record.params)}};
+    if (record.efficiency && record.efficiency->all) c.efficiency = record.efficiency->all->efficiency;
     if (record.build) c.fingerprint.emplace_back("kernel hash", record.build->kernel_hash);
     if (record.build) c.fingerprint.emplace_back("build options", record.build->options);
     if (!record.statistics) {

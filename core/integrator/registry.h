@@ -29,6 +29,9 @@ struct Integrator {
                                     const Scene& scene, const RenderJob& job);
 };
 
+/// Efficiencies are told in multiples of this one's.
+inline constexpr const char* base_kernel = "pt";
+
 /// Every integrator, the plain one first.
 const std::vector<Integrator>& integrators();
 
