@@ -351,6 +351,8 @@ Efficiency Workbench::efficiency_of(const Job& job, const Film& film, const Stat
     if (!reference) {
         efficiency.reason =
             "there is no stored reference of this kernel, scene, path length and pixel filter";
+    } else if (!job.kernel->independent_pixels) {
+        efficiency.reason = "pixels share paths: their errors do not follow from the variance of samples";
     } else if (job.work.variant.pixel_filter == PixelFilter::stratified) {
         efficiency.reason = "pixel_filter stratified: the samples of a pixel are not independent";
     } else {

@@ -27,6 +27,8 @@ struct Integrator {
     Memory (*memory)(const ocl::Device& device, const Scene& scene, const RenderJob& job);
     std::unique_ptr<Render> (*make)(const ocl::Device& device, const ocl::Program& program,
                                     const Scene& scene, const RenderJob& job);
+    /// No path adds to two pixels, so that the error of one follows from the variance of its own samples.
+    bool independent_pixels = true;
 };
 
 /// Efficiencies are told in multiples of this one's.

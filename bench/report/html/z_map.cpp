@@ -28,8 +28,8 @@ std::optional<Common> in_common(const Image& picture, const Reference& reference
     const auto shown = image_at(picture, size);
     const auto truth = moments_at({reference.mean, reference.variance}, size);
     if (!shown || !truth) return std::nullopt;
-    const double shrink = picture.size.width / size.width, edge = reference.size.width / size.width;
-    const double samples = spp * shrink * shrink, reference_samples = reference.spp * edge * edge;
+    const int shrink = picture.size.width / size.width, edge = reference.size.width / size.width;
+    const double samples = 1.0 * spp * shrink * shrink, reference_samples = 1.0 * reference.spp * edge * edge;
     Common common{size, numbers(*shown), numbers(truth->mean), numbers(truth->variance)};
     for (std::size_t i = 0; i < common.variance.size(); ++i)
         common.variance[i] = common.variance[i] * (1 / samples + 1 / reference_samples) +
