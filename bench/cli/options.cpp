@@ -258,6 +258,11 @@ struct Grammar {
         render->add_option("--seed", flags.seed, "seed of the random numbers")
             ->check(whole_number(0, limits::most_seed))
             ->capture_default_str();
+        render
+            ->add_option("--time", flags.time_s,
+                         "seconds to render for, in place of --spp: ends when every pixel has as many "
+                         "samples, and says how many")
+            ->check(seconds(false));
         render->add_option("-a,--axis", flags.axes, "an axis' value: pixel_filter=centre; repeatable")
             ->allow_extra_args(false)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

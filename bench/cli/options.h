@@ -47,6 +47,7 @@ struct RenderFlags {
     std::vector<std::string> axes;
     std::map<std::string, std::string> axis_values;
     std::uint64_t seed = 1;
+    std::optional<double> time_s;
 };
 
 struct WorkerFlags {

@@ -11,6 +11,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "bench/compare/row.h"
+#include "bench/plan/tuned.h"
+#include "bench/report/ladder.h"
+
 namespace ptb {
 namespace {
 
@@ -59,7 +63,34 @@ std::vector<Case> improving(const std::vector<Case>& cases) {
     return chosen;
 }
 
-std::string picture_name(const Case& c) { return file_safe(c.device) + ".png"; }
+/// A case, and the name of the picture that it writes.
+using Pictured = std::pair<Case, std::string>;
+
+std::vector<Pictured> pictures_of_devices(const std::vector<Case>& cases) {
+    std::vector<Pictured> pictures;
+    for (const Case& c : improving(cases)) pictures.emplace_back(c, file_safe(c.device) + ".png");
+    return pictures;
+}
+
+/// Which of them are at equal time, their times will tell.
+std::vector<Pictured> pictures_of_cases(const std::vector<Case>& cases) {
+    std::vector<Pictured> pictures;
+    for (const Case& c : cases)
+        if (as_asked(c).work_group.implicit())
+            pictures.emplace_back(c, file_safe(c.device + " " + case_text(c)) + ".png");
+    return pictures;
+}
+
+std::vector<Pictured> pictures_of(Pictures kind, const std::vector<Case>& cases) {
+    return kind == Pictures::best ? pictures_of_devices(cases) : pictures_of_cases(cases);
+}
+
+std::vector<Case> cases_at_equal_time(const std::vector<Record>& records) {
+    std::vector<Case> cases;
+    for (const Ladder& ladder : ladders(records))
+        for (const std::size_t i : ladder.cases) cases.push_back(records[i].params);
+    return cases;
+}
 
 /// A timed image is written even where it is then found to be wrong.
 bool left_a_picture(const Record& record) { return record.work && record.work->segments > 0; }
@@ -112,11 +143,13 @@ Outputs::~Outputs() {
     if (folder_.parent_path() == "ptbench-results") fs::remove(folder_.parent_path(), ignored);  // when empty
 }
 
-std::map<Case, std::string> Outputs::pictures(const std::vector<Case>& cases, const std::set<Case>& done) {
+std::map<Case, std::string> Outputs::pictures(Pictures kind, const std::vector<Case>& cases,
+                                              const std::set<Case>& done) {
+    kind_ = kind;
     std::map<Case, std::string> files;
     std::set<std::string> kept;
-    for (const Case& c : improving(cases)) {
-        const std::string file = (folder_ / picture_name(c)).string();
+    for (const auto& [c, name] : pictures_of(kind, cases)) {
+        const std::string file = (folder_ / name).string();
         pictures_.insert(file);
         if (done.contains(c)) {
             kept.insert(file);
@@ -125,10 +158,14 @@ std::map<Case, std::string> Outputs::pictures(const std::vector<Case>& cases, co
             files[c] = file;
         }
     }
+    remove_pictures_but(kept);  // an older run's is none of this one's
+    return files;
+}
+
+void Outputs::remove_pictures_but(const std::set<std::string>& kept) const {
     std::error_code ignored;
     for (const auto& file : pictures_)
-        if (!kept.contains(file)) fs::remove(file, ignored);  // an older run's is none of this one's
-    return files;
+        if (!kept.contains(file)) fs::remove(file, ignored);
 }
 
 std::vector<Picture> Outputs::made(const std::vector<Record>& records) const {
@@ -138,14 +175,21 @@ std::vector<Picture> Outputs::made(const std::vector<Record>& records) const {
         record_of[record.params] = &record;
         cases.push_back(record.params);
     }
+    if (kind_ == Pictures::equal_time) cases = cases_at_equal_time(records);
     std::map<std::string, Case> maker;
-    for (const Case& c : improving(cases))
-        if (left_a_picture(*record_of.at(c))) maker[picture_name(c)] = c;
+    for (const auto& [c, name] : pictures_of(kind_, cases))
+        if (left_a_picture(*record_of.at(c))) maker[name] = c;
     std::vector<Picture> pictures;
     std::error_code ignored;
     for (const auto& [file, c] : maker)
         if (fs::exists(folder_ / file, ignored)) pictures.push_back({c, file});
     return pictures;
+}
+
+void Outputs::keep(const std::vector<Picture>& pictures) const {
+    std::set<std::string> kept;
+    for (const Picture& picture : pictures) kept.insert((folder_ / picture.file).string());
+    if (kind_ == Pictures::equal_time) remove_pictures_but(kept);
 }
 
 bool Outputs::stdout_is_taken() const { return takes_stdout(asked_); }

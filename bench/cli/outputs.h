@@ -26,12 +26,16 @@ class Outputs {
     Outputs(const Outputs&) = delete;
     Outputs& operator=(const Outputs&) = delete;
 
-    /// The picture of each device: cases in plan order write it, each as good as those before it or better,
-    /// so that a case that is skipped does not leave a device without one. `done` are those of a resumed run
-    /// that have; the pictures of any other older run are removed.
-    std::map<Case, std::string> pictures(const std::vector<Case>& cases, const std::set<Case>& done = {});
-    /// Of the pictures that are there now, the cases that made them.
+    /// The pictures that cases are to write. Of each device the best one: cases in plan order write it, each
+    /// as good as those before it or better, so that a case that is skipped does not leave a device without
+    /// one. At equal time: every case's own, since times will tell which those are. `done` are those of a
+    /// resumed run that have theirs; the pictures of any other older run are removed.
+    std::map<Case, std::string> pictures(Pictures kind, const std::vector<Case>& cases,
+                                         const std::set<Case>& done = {});
+    /// Of the pictures that are wanted and there now, the cases that made them.
     std::vector<Picture> made(const std::vector<Record>& records) const;
+    /// Removes those that were written in case they would be wanted.
+    void keep(const std::vector<Picture>& pictures) const;
     std::filesystem::path journal() const;
     bool stdout_is_taken() const;
 
@@ -46,6 +50,7 @@ class Outputs {
     explicit Outputs(std::filesystem::path folder);
     /// All that is written.
     Destinations files() const;
+    void remove_pictures_but(const std::set<std::string>& kept) const;
     void write_all(const ResultFile& result, const PublishedTable& published);
 
     std::filesystem::path folder_;
@@ -53,6 +58,7 @@ class Outputs {
     bool created_ = false;
     Destinations asked_;
     std::vector<std::string> written_;
+    Pictures kind_ = Pictures::best;
     std::set<std::string> pictures_;
 };
 

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include "bench/cli/check.h"
@@ -42,6 +44,26 @@ void set_only_point(Case& c, const Axis& axis, const std::string& flag, const st
     for (std::size_t i = 0; i < axis.names.size(); ++i) set_case_value(c, axis.names[i], axis.points[0][i]);
 }
 
+bool names_spp(const RenderFlags& flags) {
+    const auto of_spp = [](const std::string& text) {
+        const auto names = parse_axis(text).names;
+        return std::find(names.begin(), names.end(), "spp") != names.end();
+    };
+    return flags.axis_values.contains("spp") || std::any_of(flags.axes.begin(), flags.axes.end(), of_spp);
+}
+
+/// How many samples a pixel gets must not be asked for twice, nor be known before.
+void check_time(const RenderFlags& flags, const Case& c) {
+    if (!flags.time_s) return;
+    if (names_spp(flags))
+        throw UsageError(
+            "--time: found beside --spp; allowed: one of them, since the time decides the samples");
+    if (c.variant.pixel_filter == PixelFilter::stratified)
+        throw UsageError(
+            "--time: found beside pixel_filter stratified, whose grid is laid by --spp; allowed: "
+            "jitter, centre");
+}
+
 Case case_of(const RenderFlags& flags) {
     Case c = default_case();
     for (const std::string& text : flags.axes) set_only_point(c, parse_axis(text), "-a", text);
@@ -49,6 +71,7 @@ Case case_of(const RenderFlags& flags) {
         set_only_point(c, axis_of_values(axis, text), axis, text);
     check_case(c);
     check_names({c});
+    check_time(flags, c);
     return c;
 }
 
@@ -77,7 +100,7 @@ class ShareDone {
 };
 
 /// The answer to a request to render; throws why there is none.
-Reply rendered(DeviceWorker& worker, const Case& c, bool quiet) {
+Reply rendered(DeviceWorker& worker, const Case& c, const RenderFlags& flags, bool quiet) {
     if (!worker.ready()) {
         if (worker.given_up().empty()) throw Interrupted();
         throw std::runtime_error(worker.given_up());
@@ -85,6 +108,7 @@ Reply rendered(DeviceWorker& worker, const Case& c, bool quiet) {
     Request request;
     request.kind = Request::Kind::render;
     request.params = c;
+    request.time_s = flags.time_s;
     const ShareDone share(quiet);
     Reply reply = worker.request(request, [&](const Response& progress) { share.show(progress); });
     if (reply.end != Reply::End::answered) throw std::runtime_error(reply.reason);
@@ -92,6 +116,16 @@ Reply rendered(DeviceWorker& worker, const Case& c, bool quiet) {
     if (reply.response.kind != Response::Kind::rendered) throw std::runtime_error(reply.response.reason);
     if (!reply.picture) throw std::runtime_error("the picture did not arrive whole");
     return reply;
+}
+
+/// "written: x.png (123 SPP in 10.02 s)"
+std::string outcome_text(const RenderFlags& flags, const Response& rendered) {
+    std::vector<std::string> remarks;
+    if (flags.time_s)
+        remarks.push_back(fmt::format("{:.7g} SPP in {:.4g} s", rendered.spp, rendered.seconds));
+    if (!rendered.whole) remarks.emplace_back("interrupted: as far as it got");
+    if (remarks.empty()) return "written: " + flags.output;
+    return fmt::format("written: {} ({})", flags.output, fmt::join(remarks, "; "));
 }
 
 }  // namespace
@@ -117,6 +151,16 @@ int render_command(const Options& options) {
     const bool whole = reply.response.whole;
     tell(options.common, "written: " + flags.output + (whole ? "" : " (interrupted: as far as it got)"));
     return whole ? exit_codes::done : exit_codes::interrupted;
+
+/// "written: x.png (123 SPP in 10.02 s)"
+std::string outcome_text(const RenderFlags& flags, const Response& rendered) {
+    std::vector<std::string> remarks;
+    if (flags.time_s)
+        remarks.push_back(fmt::format("{:.7g} SPP in {:.4g} s", rendered.spp, rendered.seconds));
+    if (!rendered.whole) remarks.emplace_back("interrupted: as far as it got");
+    if (remarks.empty()) return "written: " + flags.output;
+    return fmt::format("written: {} ({})", flags.output, fmt::join(remarks, "; "));
+}
 }
 
 }  // namespace ptb

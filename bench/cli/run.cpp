@@ -197,7 +197,8 @@ int measure(const Options& options, Prepared& prepared, ResultFile& result, cons
     const double start_s = steady_seconds();
     Baseline baseline(options.run);
     Outputs outputs(options.run, prepared.config.name, result.run.started_at);
-    prepared.plan.image_files = outputs.pictures(prepared.planned, pictured(result.cases));
+    prepared.plan.image_files =
+        outputs.pictures(prepared.config.pictures, prepared.planned, pictured(result.cases));
     Coordinator coordinator(prepared.plan, channels(options, prepared.config, stopped), stopped);
     run_plan(options, prepared, outputs, coordinator, result);
     result.run.wall_s += steady_seconds() - start_s;
@@ -206,6 +207,7 @@ int measure(const Options& options, Prepared& prepared, ResultFile& result, cons
     const auto& remarks = coordinator.remarks();
     result.warnings.insert(result.warnings.end(), remarks.begin(), remarks.end());
     result.pictures = outputs.made(result.cases);
+    if (!result.run.interrupted) outputs.keep(result.pictures);
     baseline.judge(result, prepared.config);
     report(options, prepared, outputs, result);
     Outcome outcome = outcome_of(result.cases);

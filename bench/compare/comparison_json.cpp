@@ -8,7 +8,8 @@ inline constexpr auto fields<Row> = std::make_tuple(field("device", &Row::device
                                                     field("tolerance", &Row::tolerance),
                                                     field("finding", &Row::finding),
                                                     field("advisory", &Row::advisory),
-                                                    field("note", &Row::note));
+                                                    field("note", &Row::note),
+                                                    field("efficiency_ratio", &Row::efficiency_ratio));
 
 std::string comparison_text(const Comparison& comparison) {
     Json json = Json::object();

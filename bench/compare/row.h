@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct Row {
     Finding finding;
     std::string advisory;  ///< why the state cannot gate ("single-session"), or empty
     std::string note;      ///< what else there is to say, e.g. why there is no time
+    std::optional<double>
+        efficiency_ratio{};  ///< new / base; a change of time alone is in it, one of noise too
     bool operator==(const Row&) const = default;
     bool compared() const { return finding.base_ns > 0 && finding.now_ns > 0; }
 };

@@ -60,6 +60,7 @@ SessionCase case_of(const ResultFile& result, const Record& record) {
     c.device_uuid = device.uuid;
     c.scene_hash = scene_hash(result.run, record.params.scene);
     c.no_time = record.status == Status::ok ? "" : record.reason;
+    if (record.efficiency && record.efficiency->all) c.efficiency = record.efficiency->all->efficiency;
     c.fingerprint = surroundings(result.host, device);
     c.fingerprint.push_back({"tuned", launch_tuned(record.params)});
     if (record.build) c.fingerprint.push_back({"kernel hash", record.build->kernel_hash});

@@ -28,9 +28,10 @@ struct SessionCase {
     std::optional<Case> params;            ///< of ptbench's own; `name` is its text
     std::string scene_hash;                ///< of its scene's text, where that is known
     Fingerprint fingerprint;
-    std::string no_time;           ///< why there is no time, or empty
-    std::vector<double> times_ns;  ///< of its samples; at least one, all above 0, unless `no_time`
-    bool low_n = false;            ///< too few samples to gate
+    std::string no_time;                 ///< why there is no time, or empty
+    std::vector<double> times_ns;        ///< of its samples; at least one, all above 0, unless `no_time`
+    bool low_n = false;                  ///< too few samples to gate
+    std::optional<double> efficiency{};  ///< 1 / (relMSE x s), of all pixels
     double median_ns() const;
 };
 

@@ -80,6 +80,19 @@ double error_between(const std::vector<double>& base, const std::vector<double>&
     return std::sqrt(b * b / static_cast<double>(base.size()) + n * n / static_cast<double>(now.size()));
 }
 
+/// Of several sessions, the median; nothing where none says it.
+std::optional<double> efficiency_of(const std::vector<const SessionCase*>& cases) {
+    std::vector<double> values;
+    for (const SessionCase* const c : cases)
+        if (c->efficiency && *c->efficiency > 0) values.push_back(std::log(*c->efficiency));
+    return values.empty() ? std::nullopt : std::optional(median_of_logs(values));
+}
+
+std::optional<double> efficiency_ratio(const Matched& m) {
+    const auto base = efficiency_of(m.base), now = efficiency_of(m.now);
+    return base && now ? std::optional(*now / *base) : std::nullopt;
+}
+
 Finding finding_between(const std::vector<double>& base, const std::vector<double>& now) {
     Finding finding;
     finding.base_ns = median_of_logs(base);
@@ -127,6 +140,7 @@ Row row_of(const Matched& m, const CompareRules& rules, const Describe& describe
     if (!m.base.empty() && !m.now.empty()) {
         describe(m, row);
         if (m.now.front()->device != row.device) row.note = "new: device " + m.now.front()->device;
+        row.efficiency_ratio = efficiency_ratio(m);
         return row;
     }
     row.finding.state = m.base.empty() ? State::unmeasured : State::missing;

@@ -1,6 +1,7 @@
 #include "bench/measure/sampler.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "bench/measure/causes.h"
@@ -11,11 +12,12 @@ namespace ptb {
 
 namespace {
 
-/// One pass: steers the cutter and adds to what is known of the sample. Returns what the events cover.
-std::int64_t timed_pass(Render& render, const Timing& timing, TimedRender& sample) {
+/// One pass of at most `most` samples: steers the cutter and adds to what is known of the sample. Returns
+/// what the events cover.
+std::int64_t timed_pass(Render& render, const Timing& timing, std::uint64_t most, TimedRender& sample) {
     const std::uint64_t before = render.samples_left();
     const std::int64_t begin = now_ns();
-    const std::vector<LaunchTimes> launches = render.advance(timing.cutter.next());
+    const std::vector<LaunchTimes> launches = render.advance(std::min(timing.cutter.next(), most));
     const std::int64_t host_ns = now_ns() - begin;
     const std::string fault = timer_fault(launches, host_ns, timing.timer_resolution_ns);
     if (sample.timer.fault.empty()) sample.timer.fault = fault;
@@ -26,6 +28,24 @@ std::int64_t timed_pass(Render& render, const Timing& timing, TimedRender& sampl
     sample.longest_launch_ns = std::max(sample.longest_launch_ns, pass_ns);
     ++sample.passes;
     return covered_ns(launches);
+}
+
+/// How far a render has come that is to last `time_s`.
+struct Halfway {
+    std::uint64_t done = 0, left = 0, round = 1;  ///< samples
+    double elapsed_s = 0, time_s = 0;
+};
+
+/// Samples that are still to be rendered; 0 at the end. A round that was begun is ended; another one is begun
+/// if that comes nearer to the time.
+std::uint64_t samples_in_time(const Halfway& at) {
+    const std::uint64_t rest = (at.round - at.done % at.round) % at.round;
+    if (at.done < at.round) return std::min(rest == 0 ? at.round : rest, at.left);
+    const auto round = static_cast<double>(at.round), done = static_cast<double>(at.done);
+    const double affordable = done * std::max(at.time_s / at.elapsed_s - 1, 0.0);  // at the speed so far
+    const double rounds = std::max(std::round((affordable - static_cast<double>(rest)) / round), 0.0);
+    const double samples = static_cast<double>(rest) + rounds * round;
+    return samples < static_cast<double>(at.left) ? static_cast<std::uint64_t>(samples) : at.left;
 }
 
 }  // namespace
@@ -45,7 +65,7 @@ TimedRender timed_render(Render& render, const Timing& timing) {
         render.restart();
         const auto all = static_cast<double>(render.samples_left());
         while (going && render.samples_left() > 0) {
-            covered += timed_pass(render, timing, sample);
+            covered += timed_pass(render, timing, render.samples_left(), sample);
             const double done = 1 - static_cast<double>(render.samples_left()) / all;
             going = timing.progress((i + done) / timing.renders);
         }
@@ -55,6 +75,21 @@ TimedRender timed_render(Render& render, const Timing& timing) {
     if (sample.timer.disagrees) sample.time.cause = cause::clocks_differ;
     if (!sample.timer.fault.empty()) sample.time.cause = cause::timer_fault;
     return sample;
+}
+
+void render_for(Render& render, double time_s, std::uint64_t round_samples, const Timing& timing) {
+    TimedRender passes;
+    render.restart();
+    const std::uint64_t all = render.samples_left();
+    const std::int64_t begin = now_ns();
+    for (bool going = true; going;) {
+        const std::uint64_t left = render.samples_left();
+        const std::uint64_t samples =
+            samples_in_time({all - left, left, round_samples, seconds_since(begin), time_s});
+        if (samples == 0) break;
+        timed_pass(render, timing, samples, passes);
+        going = timing.progress(std::min(seconds_since(begin) / time_s, 1.0));
+    }
 }
 
 }  // namespace ptb

@@ -45,6 +45,10 @@ struct MeasureOptions {
     bool operator==(const MeasureOptions&) const = default;
 };
 
+/// Which pictures a run leaves: of each device the best one, or of each kernel and work that which took
+/// nearest to the time that all kernels reach.
+enum class Pictures { best, equal_time };
+
 /// A run as configs and flags describe it.
 struct Config {
     std::string name = "quick", description;
@@ -54,6 +58,7 @@ struct Config {
     double max_total_time_s = 0;      ///< 0: no budget
     std::optional<double> tolerance;  ///< of cases whose series has none
     double timeout_s = 120;           ///< a worker silent for longer within a case is killed
+    Pictures pictures = Pictures::best;
     bool operator==(const Config&) const = default;
 };
 
@@ -81,6 +86,8 @@ std::string to_string(WorkGroup work_group);
 /// "128x128"
 std::string to_string(Size size);
 
+/// The most samples per pixel that `check_case` lets pass.
+int most_spp(int path_length);
 /// Throws UsageError unless spp x path_length, the most segments of one pixel, fits in 32 bits.
 void check_case(const Case& c);
 

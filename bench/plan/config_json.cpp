@@ -39,6 +39,11 @@ void read_timer(const Json& json, const Where& where, std::string& value) {
     value = json.get<std::string>();
 }
 
+void read_pictures(const Json& json, const Where& where, Pictures& value) {
+    if (json != "best" && json != "equal_time") where.refuse(json, "best, equal_time");
+    value = json == "best" ? Pictures::best : Pictures::equal_time;
+}
+
 /// "cpu", 0 or a list of those.
 void read_devices(const Json& json, const Where& where, std::vector<std::string>& devices) {
     devices.clear();
@@ -82,6 +87,7 @@ const std::vector<std::pair<std::string, Reader>>& readers() {
         {"timer", [](J j, W w, Config& c) { read_timer(j, w, c.measure.timer); }},
         {"skip_time", [](J j, W w, Config& c) { decode(j, w, c.measure.skip_time); }},
         {"kernel_dir", [](J j, W w, Config& c) { decode(j, w, c.measure.kernel_dir); }},
+        {"pictures", [](J j, W w, Config& c) { read_pictures(j, w, c.pictures); }},
         {"series", [](J j, W w, Config& c) { read_series(j, w, c.series); }},
     };
     return table;
@@ -132,6 +138,7 @@ std::string dump_config(const Config& config) {
     json["timer"] = config.measure.timer;
     json["skip_time"] = config.measure.skip_time;
     json["kernel_dir"] = config.measure.kernel_dir;
+    json["pictures"] = config.pictures == Pictures::best ? "best" : "equal_time";
     json["series"] = Json::array();
     for (const Series& series : config.series) json["series"].push_back(series_to_json(series));
     if (config.series.empty()) json.erase("series");

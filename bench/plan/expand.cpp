@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <set>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@ namespace ptb {
 namespace {
 
 constexpr std::size_t most_cases = 100'000;
+constexpr auto segment_limit = std::int64_t{1} << 32;  ///< of a pixel, which counts them in 32 bits
 
 /// Place of an axis in the nesting; linked axes stand where their outermost one does.
 std::size_t depth_of(const Axis& axis) {
@@ -77,14 +79,18 @@ void append_for(const DeviceInfo& device, const SeriesCases& plan, const std::ve
 
 }  // namespace
 
+int most_spp(int path_length) {
+    return static_cast<int>(
+        std::min((segment_limit - 1) / path_length, std::int64_t{std::numeric_limits<int>::max()}));
+}
+
 void check_case(const Case& c) {
     const auto segments = static_cast<std::int64_t>(c.spp) * c.path_length;
-    constexpr auto limit = std::int64_t{1} << 32;
-    if (segments >= limit)
+    if (c.spp > most_spp(c.path_length))
         throw UsageError(
             fmt::format("spp x path_length: found {} x {} = {}; allowed: less than {}, the most segments "
                         "that one pixel counts",
-                        c.spp, c.path_length, segments, limit));
+                        c.spp, c.path_length, segments, segment_limit));
 }
 
 std::vector<Case> expand(const Config& config, const std::vector<DeviceInfo>& devices,

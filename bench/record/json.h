@@ -96,12 +96,24 @@ inline constexpr auto fields<Counted> = std::make_tuple(
     field("reason", &Counted::reason), field("of_peak", &Counted::of_peak));
 
 template <>
-inline constexpr auto fields<Record> =
-    std::make_tuple(required("params", &Record::params), required("status", &Record::status),
-                    field("reason", &Record::reason), field("work", &Record::work),
-                    field("build", &Record::build), field("samples", &Record::samples),
-                    field("statistics", &Record::statistics), field("validation", &Record::validation),
-                    field("energy", &Record::energy), field("counted", &Record::counted));
+inline constexpr auto fields<Noise> = std::make_tuple(required("rel_mse", &Noise::rel_mse),
+                                                      required("standard_error", &Noise::standard_error),
+                                                      field("efficiency", &Noise::efficiency),
+                                                      field("low", &Noise::low), field("high", &Noise::high));
+
+template <>
+inline constexpr auto fields<Efficiency> = std::make_tuple(field("all", &Efficiency::all),
+                                                           field("best_99", &Efficiency::best_99),
+                                                           field("variance_from", &Efficiency::variance_from),
+                                                           field("reason", &Efficiency::reason));
+
+template <>
+inline constexpr auto fields<Record> = std::make_tuple(
+    required("params", &Record::params), required("status", &Record::status),
+    field("reason", &Record::reason), field("work", &Record::work), field("build", &Record::build),
+    field("samples", &Record::samples), field("statistics", &Record::statistics),
+    field("validation", &Record::validation), field("energy", &Record::energy),
+    field("efficiency", &Record::efficiency), field("counted", &Record::counted));
 
 template <>
 inline constexpr auto fields<DeviceInfo> = std::make_tuple(

@@ -116,6 +116,24 @@ struct Counted {
     bool operator==(const Counted&) const = default;
 };
 
+/// Noise of an image relative to its reference, and what it is worth for the time it took.
+struct Noise {
+    double rel_mse = 0;
+    double standard_error = 0;                    ///< of rel_mse, over pixels
+    std::optional<double> efficiency, low, high;  ///< 1 / (rel_mse x seconds), and its 95 % interval
+    bool operator==(const Noise&) const = default;
+};
+
+/// How much noise the timed image has (bench/validate), and so how efficient its kernel is. Pixels with the
+/// largest errors, of paths that seldom find the light, can make up most of the mean: `best_99` leaves them
+/// out.
+struct Efficiency {
+    std::optional<Noise> all, best_99;  ///< of all pixels, and of the best 99 %
+    std::string variance_from;          ///< "film", or "reference" where a kernel's film holds no squares
+    std::string reason;                 ///< why a number is absent, or empty
+    bool operator==(const Efficiency&) const = default;
+};
+
 /// What became of one planned case. The one record type of protocol, journal and result file.
 struct Record {
     Case params;
@@ -127,6 +145,7 @@ struct Record {
     std::optional<Statistics> statistics;
     std::optional<Validation> validation;
     std::optional<Energy> energy;
+    std::optional<Efficiency> efficiency;
     std::optional<Counted> counted;  ///< with --peaks
     bool operator==(const Record&) const = default;
 };
@@ -213,7 +232,7 @@ struct ResultFile {
     std::vector<BrokenIcd> broken_icds;
     std::vector<Record> cases;
     std::vector<SppFit> fits;
-    std::vector<Picture> pictures;  ///< the best of each device
+    std::vector<Picture> pictures;  ///< the best of each device, or those at equal time
     std::vector<std::string> warnings;
     std::vector<DevicePeaks> peaks;  ///< with --peaks
     JsonText verdict;                ///< beside a baseline, as `compare --json` writes it

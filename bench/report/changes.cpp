@@ -1,5 +1,6 @@
 #include "bench/report/changes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -52,6 +53,18 @@ std::string summary(const std::vector<Row>& rows) {
     return fmt::format("{} cases: {}", rows.size(), fmt::join(parts, ", "));
 }
 
+/// A last column, where there is anything to show in it.
+void append_efficiency(Section& section, const std::vector<Row>& rows) {
+    if (std::none_of(rows.begin(), rows.end(),
+                     [](const Row& row) { return row.efficiency_ratio.has_value(); }))
+        return;
+    section.grid.columns.push_back({"efficiency", true});
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        section.grid.rows[i].push_back(
+            rows[i].efficiency_ratio ? fmt::format("{:.3f}", *rows[i].efficiency_ratio) : "-");
+    section.notes.emplace_back("efficiency: new / base of 1 / (relMSE x s); above 1 is better");
+}
+
 }  // namespace
 
 Section changes_section(const std::vector<Row>& rows, const std::string& title) {
@@ -65,6 +78,7 @@ Section changes_section(const std::vector<Row>& rows, const std::string& title) 
     section.notes.push_back(summary(rows));
     section.notes.emplace_back(
         "ratio: new time / base time; p: after Holm; can see: the smallest change seen in 8 of 10 such runs");
+    append_efficiency(section, rows);
     return section;
 }
 

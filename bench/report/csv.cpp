@@ -28,6 +28,8 @@ std::string real(double value, int decimals) {
     return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "";
 }
 
+std::string significant(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : ""; }
+
 std::string ms_text(double ns) { return real(ms(ns), 6); }
 
 std::string quoted(const std::string& cell) {
@@ -68,6 +70,19 @@ Cell of_energy(std::optional<double> Energy::*member) {
     return [member](const Row& r) {
         const auto& energy = r.record.energy;
         return energy && *energy.*member ? real(*(*energy.*member), 6) : "";
+    };
+}
+Cell of_noise(std::optional<Noise> Efficiency::*pixels, double Noise::*member) {
+    return [=](const Row& r) {
+        const auto& e = r.record.efficiency;
+        return e && (*e).*pixels ? significant((*((*e).*pixels)).*member) : "";
+    };
+}
+Cell of_noise(std::optional<Noise> Efficiency::*pixels, std::optional<double> Noise::*member) {
+    return [=](const Row& r) {
+        const auto& e = r.record.efficiency;
+        const auto value = e && (*e).*pixels ? (*((*e).*pixels)).*member : std::nullopt;
+        return value ? significant(*value) : "";
     };
 }
 Cell of_counted(std::optional<double> Counted::*member) {
@@ -143,6 +158,15 @@ const Columns& statistics_columns() {
     return columns;
 }
 
+/// Of all pixels, or of the best 99 %, whose names end so.
+Columns noise_columns(const std::string& name, std::optional<Noise> Efficiency::*pixels) {
+    return {{"rel_mse" + name, of_noise(pixels, &Noise::rel_mse)},
+            {"rel_mse_error" + name, of_noise(pixels, &Noise::standard_error)},
+            {"efficiency" + name, of_noise(pixels, &Noise::efficiency)},
+            {"efficiency_low" + name, of_noise(pixels, &Noise::low)},
+            {"efficiency_high" + name, of_noise(pixels, &Noise::high)}};
+}
+
 const Columns& other_columns() {
     static const Columns columns = {
         {"samples", of_work([](const Work& w) { return std::to_string(w.samples); })},
@@ -204,8 +228,9 @@ std::vector<std::string> sample_cells(std::size_t index, const TimeSample& s) {
 
 std::string csv(const ResultFile& result) {
     static const Columns work = {{"spp", axis("spp")}, {"time_ms", time_ms}};
-    const auto columns = joined(
-        {device_columns(), work, case_columns(), statistics_columns(), other_columns(), variant_columns()});
+    const auto columns = joined({device_columns(), work, case_columns(), statistics_columns(),
+                                 other_columns(), variant_columns(), noise_columns("", &Efficiency::all),
+                                 noise_columns("_best_99", &Efficiency::best_99)});
     std::string output = line(header(columns));
     for (const Record& record : result.cases)
         output += line(cells(columns, {record, device_of(result, record.params.device)}));

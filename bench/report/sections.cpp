@@ -9,8 +9,8 @@ namespace ptb {
 
 std::vector<Section> report_sections(const ResultFile& result, const PublishedTable& published) {
     std::vector<Section> sections;
-    std::vector<Section> all = {times_section(result), fits_section(result), problems_section(result),
-                                devices_section(result), kernels_section(result)};
+    std::vector<Section> all = {times_section(result),   fits_section(result),    problems_section(result),
+                                devices_section(result), kernels_section(result), efficiency_section(result)};
     for (Section& section : sweep_sections(result)) all.push_back(std::move(section));
     for (const Section& section :
          {peaks_section(result.peaks), limits_section(result.cases), published_section(result, published),

@@ -26,6 +26,11 @@ Section devices_section(const ResultFile& result);
 std::vector<Section> sweep_sections(const ResultFile& result);
 /// `pt` against `thesis` on each device.
 Section kernels_section(const ResultFile& result);
+/// Kernels that make the same work, each at the SPP that takes nearest to an equal time: noise, efficiency,
+/// and that as a multiple of `base_kernel`'s.
+Section efficiency_section(const ResultFile& result);
+/// Noise and efficiency of every case that has them.
+Section noise_section(const ResultFile& result);
 /// Peaks, one a row.
 Section peaks_section(const std::vector<DevicePeaks>& peaks);
 /// Counted work and shares of the peaks: the fastest case of each device, kernel and scene.

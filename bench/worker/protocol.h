@@ -26,6 +26,7 @@ struct Request {
     std::optional<double> time_left_s;  ///< run: what is left of the budget for this case
     std::string scene_hash;             ///< of the scene's text where the request comes from, or empty
     bool picture = false;               ///< run: send the timed picture, too
+    std::optional<double> time_s;       ///< render: how long, whatever the case says of samples
     int samples = 0;                    ///< round: how many
     bool operator==(const Request&) const = default;
 };
@@ -49,6 +50,7 @@ struct Response {
     int first_row = 0;             ///< pixels
     std::string rgb;               ///< pixels: whole rows of floats in base64
     bool whole = false;            ///< rendered: it was not stopped
+    double spp = 0, seconds = 0;   ///< rendered: samples of the mean pixel, and how long they took
     std::string reason;            ///< failed, refused
     std::vector<Peak> peaks;       ///< peaks
     bool device_failed =

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "bench/plan/case.h"
@@ -14,12 +15,15 @@ struct RenderRequest {
     Case params;  ///< `device` is a key of `probe_devices` in this process
     std::uint64_t seed = 1;
     std::string kernel_dir;
+    std::optional<double> time_s{};  ///< what the samples per pixel follow from, whatever `params` says
 };
 
 /// A picture as far as it got.
 struct Rendered {
     Image image;
-    bool whole = false;
+    bool whole = false;  ///< not ended early
+    double spp = 0;      ///< of the mean pixel
+    double seconds = 0;
 };
 
 /// Renders in this process; `progress` is told the share that is done, and answers whether to go on. Throws

@@ -123,7 +123,7 @@ class DeviceSession : public WorkerSession {
     }
 
     Response render(const Request& request, const Send& send) {
-        RenderRequest job{request.params, options_.seed, options_.kernel_dir};
+        RenderRequest job{request.params, options_.seed, options_.kernel_dir, request.time_s};
         job.params.device = key_;
         const auto progress = told(send);
         Response response;
@@ -135,6 +135,8 @@ class DeviceSession : public WorkerSession {
             });
             send_pixels(rendered.image, send);
             response.whole = rendered.whole;
+            response.spp = rendered.spp;
+            response.seconds = rendered.seconds;
         } catch (const UsageError& error) {
             response.kind = Response::Kind::refused;
             response.reason = error.what();

@@ -12,6 +12,7 @@
 #include "bench/measure/counted.h"
 #include "bench/measure/peaks.h"
 #include "bench/plan/scene_file.h"
+#include "bench/validate/noise.h"
 #include "bench/validate/validate.h"
 #include "core/oracle/oracle.h"
 
@@ -103,6 +104,7 @@ void conclude(Record& record, Status status, const std::string& reason) {
     record.samples.clear();
     record.statistics.reset();
     record.energy.reset();
+    record.efficiency.reset();
     record.counted.reset();
     if (record.work) record.work->longest_launch_ns = 0;
     if (record.build) record.build->first_launch_ns = 0;
@@ -343,6 +345,24 @@ void Workbench::check_film_of(const Job& job, const Film& film, Validation& vali
     if (!own.valid) fail(validation, "the timed image: " + own.reason);
 }
 
+/// By the timed image's noise.
+Efficiency Workbench::efficiency_of(const Job& job, const Film& film, const Statistics& statistics) const {
+    Efficiency efficiency;
+    const auto reference = stored_reference(job);
+    if (!reference) {
+        efficiency.reason =
+            "there is no stored reference of this kernel, scene, path length and pixel filter";
+    } else if (!job.kernel->independent_pixels) {
+        efficiency.reason = "pixels share paths: their errors do not follow from the variance of samples";
+    } else if (job.work.variant.pixel_filter == PixelFilter::stratified) {
+        efficiency.reason = "pixel_filter stratified: the samples of a pixel are not independent";
+    } else {
+        efficiency = noise_of({film, job.work.size, job.work.spp, job.work.path_length}, *reference);
+        add_efficiency(efficiency, statistics);
+    }
+    return efficiency;
+}
+
 void Workbench::measure(const Job& job, double time_left_s, Image& picture, const Stage& progress,
                         Record& record) {
     const std::int64_t uploading = now_ns();
@@ -364,6 +384,7 @@ void Workbench::measure(const Job& job, double time_left_s, Image& picture, cons
     record.work->full_length_paths = film.full_length_paths.value_or(0);
     check_film_of(job, film, *record.validation);
     summarize(measurement, record);
+    if (record.statistics) record.efficiency = efficiency_of(job, film, *record.statistics);
     picture = std::move(film.mean);
 }
 

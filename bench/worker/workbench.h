@@ -62,6 +62,7 @@ class Workbench {
     Measurement take_samples(const Job& job, Render& render, double time_left_s, const Stage& progress,
                              Record& record);
     void summarize(const Measurement& measurement, Record& record) const;
+    Efficiency efficiency_of(const Job& job, const Film& film, const Statistics& statistics) const;
     Counted counted(const Job& job, const Record& record, const Stage& progress);
     void check_film_of(const Job& job, const Film& film, Validation& validation) const;
     std::optional<Reference> stored_reference(const Job& job) const;

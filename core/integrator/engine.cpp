@@ -25,6 +25,11 @@ struct Shape {
 constexpr std::uint64_t longest_round = 512;  ///< samples
 static_assert(longest_round < ENGINE_FULL_LENGTH);
 
+std::uint64_t most_a_round(const RenderJob& job) {
+    const bool asked = job.round_spp > 0;
+    return asked ? std::min(longest_round, static_cast<std::uint64_t>(job.round_spp)) : longest_round;
+}
+
 /// A GPU wants all its resident lanes busy, and a dozen units each, or the last ones to finish keep it
 /// waiting. A CPU's thread takes units for as long as there are any, so a few items a core are enough.
 Shape shape_of(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
@@ -35,7 +40,7 @@ Shape shape_of(const ocl::Device& device, const Scene& scene, const RenderJob& j
         is_throughput_device(device) ? cores * 2048 : cores * static_cast<std::uint64_t>(job.lanes);
     const std::uint64_t fair = std::max<std::uint64_t>(job.size.pixels() * spp / (12 * busy), 1);
     Shape shape{is_throughput_device(device) ? busy : cores * 64, 0, 0,
-                make_runs(static_cast<std::uint32_t>(spp), fair, std::min(longest_round, paths))};
+                make_runs(static_cast<std::uint32_t>(spp), fair, std::min(most_a_round(job), paths))};
     shape.max_units = is_throughput_device(device) ? 24 * shape.items : 1u << 18;
     shape.units_per_lane = std::min<std::uint64_t>(paths / shape.runs.longest(), 0xffffffffu);
     return shape;

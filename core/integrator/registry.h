@@ -34,6 +34,8 @@ struct Integrator {
     bool samples_lamps = false;      ///< asks lamps for their light
     bool counts_full_length = true;  ///< its film counts samples and full-length paths
 
+    /// No path adds to two pixels, so that the error of one follows from the variance of its own samples.
+    bool independent_pixels = true;
     std::string truth = {};  ///< the kernel whose references and host tracer judge its films, if not itself
 
     std::string file() const { return id + "/" + id + ".cl"; }  ///< of kernels/
@@ -54,6 +56,9 @@ struct Integrator {
         return machinery->make(*this, device, program, scene, job);
     }
 };
+
+/// Efficiencies are told in multiples of this one's.
+inline constexpr const char* base_kernel = "pt";
 
 /// Every integrator, the plain one first.
 const std::vector<Integrator>& integrators();

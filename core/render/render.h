@@ -23,6 +23,9 @@ struct RenderJob {
     int lanes = 1;
     int work_group_x = 0, work_group_y = 0;  ///< x == 0: implicit; y == 0: one-dimensional
     Variant variant{};
+    /// Samples that a pixel may be ahead of others while the render goes on; a multiple of it is `spp`. 0: as
+    /// many as is fastest.
+    int round_spp = 0;
 };
 
 /// The four timestamps of one launch's event, nanoseconds of the device's clock.

@@ -120,11 +120,12 @@ class PassedOn(unittest.TestCase):
         metrics = json.loads(self.report("bencher"))
         for (name, measures), case in zip(metrics.items(), self.timed, strict=True):
             self.assertLess(len(name), 1024)
-            self.assertEqual(measures.keys(), {"latency", "throughput"})
+            self.assertEqual(measures.keys(), {"latency", "throughput", "efficiency"})
             for measure in measures.values():
                 self.assertLessEqual(measure["lower_value"], measure["value"] * (1 + 1e-12))
                 self.assertGreaterEqual(measure["upper_value"], measure["value"] * (1 - 1e-12))
             self.assertEqual(measures["latency"]["value"], case["statistics"]["median_ns"])
+            self.assertEqual(measures["efficiency"]["value"], case["efficiency"]["all"]["efficiency"])
 
     def test_go_s_lines(self):
         """A name of no spaces from a capital, a count, then values with units; keys start small."""
@@ -134,7 +135,7 @@ class PassedOn(unittest.TestCase):
         lines = lines.splitlines()
         self.assertEqual(len(lines), 16)
         for line, ns in zip(lines, self.times[0] + self.times[1]):
-            match = re.fullmatch(r"(Benchmark[A-Z]\S*) (\d+) (\d+) ns/op (\S+) Msamples/s", line)
+            match = re.fullmatch(r"(Benchmark[A-Z]\S*) (\d+) (\d+) ns/op (\S+) Msamples/s (\S+) efficiency", line)
             self.assertEqual(float(match[3]), round(ns), line)
             self.assertFalse(re.search(r"-\d+$", match[1]))
 

@@ -1,5 +1,6 @@
-"""`ptbench render`: pictures by extension, the same bits for every work-group, and what interruption keeps."""
+"""`ptbench render`: pictures by extension, the same bits for every work-group, what a time gives and interruption keeps."""
 
+import re
 import signal
 import time
 import unittest
@@ -43,6 +44,11 @@ class Render(CliTest):
             (("-o", "x.png", "--seed", "-1"), "--seed"),
             (("-o", "x.png", "--wg", "8x8"), "one-dimensional"),
             (("-o", "x.png", "--size", "40000"), "MiB of device memory"),
+            (("-o", "x.png", "--time", "0"), "more than 0"),
+            (("-o", "x.png", "--time", "1", "--spp", "4"), "--time: found beside --spp"),
+            (("-o", "x.png", "--time", "1", "-a", "(spp,size)=[(4,8)]"), "--time: found beside --spp"),
+            (("-o", "x.png", "--time", "1", "-a", "pixel_filter=stratified"), "--time: found beside pixel_filter"),
+            (("-o", "x.png", "--time", "1", "--wg", "8x8"), "one-dimensional"),
         ]:
             with self.subTest(words):
                 self.assert_refused("render", *words, says=says)
@@ -69,6 +75,27 @@ class Render(CliTest):
     def test_a_scene_file_is_the_shipped_scene_of_that_text(self):
         self.scratch.write("mine.json", (SOURCE / "configs/scenes/free_light.json").read_text())
         self.assertEqual(self.picture(*SMALL, "--scene", "mine.json"), self.picture(*SMALL, "--scene", "free_light"))
+
+    def test_a_time_gives_whole_samples_which_are_those_of_as_many_spp(self):
+        for kernel in ("pt", "thesis"):
+            with self.subTest(kernel):
+                words = ("render", "-d", "pocl:1", "--size", "24x16", "--path-length", "5", "--kernel", kernel)
+                said = self.run_ok(*words, "--time", "0.5", "-o", "time.pfm").stderr
+                spp, _ = re.fullmatch(r"written: time.pfm \((\d+) SPP in (\d+\.\d+|\d+) s\)\n", said).groups()
+                _, timed = pfm_pixels((self.scratch.work / "time.pfm").read_bytes())
+                _, counted = pfm_pixels(self.picture(*words, "--spp", spp))
+                for one, other in zip(timed, counted, strict=True):
+                    self.assertAlmostEqual(one, other, delta=1e-3 * max(other, 0.01))  # sums in another order
+
+    def test_a_time_can_be_cut_short(self):
+        process = self.scratch.start("render", "-d", "pocl:1", "--size", "32", "--time", "600", "-o", "part.pfm")
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        time.sleep(3)
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=30)
+        self.assertEqual(process.returncode, 130, err)
+        self.assertRegex(err, r"^written: part.pfm \([\d.e+]+ SPP in [\d.]+ s; interrupted: as far as it got\)\n$")
 
     def test_interruption_keeps_what_is_rendered(self):
         words = ("render", "-d", "pocl:1", "--size", "32", "--path-length", "5")

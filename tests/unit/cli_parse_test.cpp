@@ -50,6 +50,8 @@ TEST(cli_parse, commands_are_told_apart) {
     EXPECT_EQ(render.device, "0");
     EXPECT_EQ(render.output, "x.png");
     EXPECT_EQ(render.axis_values.at("spp"), "16");
+    EXPECT_FALSE(render.time_s);
+    EXPECT_EQ(parse_options({"render", "--time", "2.5", "-o", "x.png"}).render.time_s, 2.5);
 }
 
 TEST(cli_parse, lists_are_made_by_repeating_and_keep_brackets) {
@@ -278,10 +280,38 @@ TEST_F(outputs, each_better_case_of_a_device_makes_its_picture) {
     const std::vector<Case> cases{picture_case("thesis", 100), picture_case("pt", 10),
                                   picture_case("pt", 100), picture_case("pt", 1000, {64, 0}),
                                   picture_case("thesis", 1000)};
-    const auto pictures = written.pictures(cases);
+    const auto pictures = written.pictures(Pictures::best, cases);
     EXPECT_EQ(pictures.size(), 3U);
     EXPECT_TRUE(pictures.contains(cases[0]) && pictures.contains(cases[1]) && pictures.contains(cases[2]));
     EXPECT_EQ(std::filesystem::path(pictures.at(cases[2])).filename(), "pocl-2-0.png");
+}
+
+Record pictured_case(const std::string& kernel, int spp, double ms) {
+    Record record;
+    record.params = picture_case(kernel, spp);
+    record.status = Status::ok;
+    record.work.emplace().segments = 1;
+    record.statistics.emplace().median_ns = ms * 1e6;
+    const Noise noise{0.1, 0.01, 100 / ms, {}, {}};
+    record.efficiency = Efficiency{noise, noise, "film", ""};
+    return record;
+}
+
+TEST_F(outputs, at_equal_time_each_kernel_keeps_one_picture) {
+    Outputs written(RunFlags(), "ladder", noon);
+    const std::vector<Record> records{pictured_case("thesis", 1, 100), pictured_case("pt", 10, 110),
+                                      pictured_case("pt", 20, 220)};
+    std::vector<Case> cases{picture_case("pt", 10, {64, 0})};
+    for (const Record& record : records) cases.push_back(record.params);
+    const auto files = written.pictures(Pictures::equal_time, cases);
+    EXPECT_EQ(files.size(), 3U) << "a work-group of its own has none";
+    for (const auto& [c, file] : files) std::ofstream(file) << "picture";
+    const auto pictures = written.made(records);
+    written.keep(pictures);
+    EXPECT_EQ(pictures.size(), 2U);
+    EXPECT_TRUE(std::filesystem::exists(files.at(records[0].params)));
+    EXPECT_TRUE(std::filesystem::exists(files.at(records[1].params)));
+    EXPECT_FALSE(std::filesystem::exists(files.at(records[2].params))) << "220 ms are not 100 ms";
 }
 
 TEST(hints, name_a_device_that_was_left_out) {

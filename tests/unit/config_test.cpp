@@ -27,7 +27,7 @@ TEST(Config, every_key_is_read) {
     const Config config = parse_config(R"j({
         "name": "n", "description": "d", "device": ["cpu", 1], "warmup": 0, "min_samples": 6, "max_samples": 7, "max_time": 2.5,
         "max_total_time": 90, "timeout": 60, "seed": 4294967295, "timer": "host", "skip_time": true,
-        "kernel_dir": "k",
+        "kernel_dir": "k", "pictures": "equal_time",
         "series": [{"name": "s", "kernel": "pt", "spp": [1, "2"], "size": "[1:4:x2]",
                     "(path_length,lanes)": [[5, "auto"], [128, 8]]}]
 })j",
@@ -39,6 +39,7 @@ TEST(Config, every_key_is_read) {
     expected.measure = {4294967295u, 0, 6, 7, 2.5, "host", true, "k"};
     expected.max_total_time_s = 90;
     expected.timeout_s = 60;
+    expected.pictures = Pictures::equal_time;
     expected.series = {{"s",
                         {{{"kernel"}, {{"pt"}}},
                          {{"spp"}, {{"1"}, {"2"}}},
@@ -49,7 +50,7 @@ TEST(Config, every_key_is_read) {
 }
 
 TEST(Config, dumped_config_reads_back_to_the_same_value) {
-    for (const char* name : {"quick", "thesis", "ci", "tune", "doctor"}) {
+    for (const char* name : {"quick", "thesis", "ci", "ladder", "tune", "doctor"}) {
         const Config config = load_config(name, configs);
         EXPECT_EQ(config.name, name);
         EXPECT_EQ(parse_config(dump_config(config), "dump"), config);
@@ -178,8 +179,10 @@ TEST(Config, unknown_name_lists_what_there_is) {
     } catch (const UsageError& error) {
         EXPECT_THAT(
             error.what(),
-            AllOf(HasSubstr("did you mean quick?"),
-                  HasSubstr("ci, doctor, memory, quality, queues, quick, speed, thesis, tune, workgroups")));
+            AllOf(
+                HasSubstr("did you mean quick?"),
+                HasSubstr(
+                    "ci, doctor, ladder, memory, quality, queues, quick, speed, thesis, tune, workgroups")));
     }
     EXPECT_THROW(load_config("quick", "/nowhere"), UsageError);
     EXPECT_THROW(load_config("", configs), UsageError);

@@ -45,6 +45,18 @@ TEST(Csv, the_thesis_columns_come_first) {
                 StartsWith("Intel,CPU,pthread,10,1.234568,pt,thesis,640,480,128,16x16,8,ok,,3,0,1.234568,"));
 }
 
+TEST(Csv, noise_and_efficiency_come_last) {
+    ResultFile f = one_case();
+    EXPECT_THAT(second_line(csv(f)), testing::EndsWith(",,,,,,,,,,"));
+    f.cases[0].efficiency =
+        Efficiency{Noise{0.25, 0.0125, 40, 36.5, 44}, Noise{1.25e-7, 0, {}, {}, {}}, "film", ""};
+    EXPECT_THAT(csv(f),
+                HasSubstr(",rel_mse,rel_mse_error,efficiency,efficiency_low,efficiency_high,rel_mse_best_99,"
+                          "rel_mse_error_best_99,efficiency_best_99,efficiency_low_best_99,"
+                          "efficiency_high_best_99\n"));
+    EXPECT_THAT(second_line(csv(f)), testing::EndsWith(",0.25,0.0125,40,36.5,44,1.25e-07,0,,,"));
+}
+
 TEST(Csv, commas_and_quotes_are_quoted) {
     ResultFile f = one_case();
     f.devices[0].name = R"(Intel(R) "Core", fast)";

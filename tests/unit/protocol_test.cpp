@@ -52,7 +52,7 @@ TEST(Protocol, responses_survive_the_line) {
     failed.kind = Response::Kind::failed;
     failed.reason = "no such device";
     done.kind = Response::Kind::record;
-    done.record = Record{run_request().params, Status::crash, "SIGSEGV (11)", {}, {}, {}, {}, {}, {}, {}};
+    done.record = Record{run_request().params, Status::crash, "SIGSEGV (11)", {}, {}, {}, {}, {}, {}, {}, {}};
     Response estimate;
     estimate.kind = Response::Kind::estimate;
     estimate.ns_per_sample = 12.75;

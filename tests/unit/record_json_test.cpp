@@ -48,6 +48,8 @@ Record full_record() {
     r.validation =
         Validation{true, "thesis_pl128", "", 1000, 3.5, 4.75, 0.5, 30.87, 30.9, {"finite", "blocks"}};
     r.energy = Energy{"NVML", "", 2.5, 0.125, 655360, {}};
+    r.efficiency =
+        Efficiency{Noise{0.25, 0.01, 40.0, 36.5, 44.0}, Noise{0.125, 0.005, {}, {}, {}}, "film", ""};
     r.counted =
         Counted{2'000'000, 233.5, 10.5, 0.0, 1.75, {}, "one lane", {0.25, 0.5, 0.0, 0.001, "roots", 0.5}};
     return r;

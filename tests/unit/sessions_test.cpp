@@ -58,6 +58,18 @@ TEST(sessions, times_are_of_one_render_where_a_sample_holds_several) {
     EXPECT_EQ(session_of(result, "a.json").cases.at(0).times_ns, std::vector{1000.0});
 }
 
+TEST(sessions, efficiencies_are_compared_where_both_sides_have_one) {
+    const auto ratio = [](std::optional<double> base, std::optional<double> now) {
+        SessionCase b = session_case("a", 1e6), n = session_case("a", 1e6);
+        b.efficiency = base;
+        n.efficiency = now;
+        return only(compare_sessions({session({b})}, {session({n})}, rules())).efficiency_ratio;
+    };
+    EXPECT_DOUBLE_EQ(ratio(20, 30).value(), 1.5);
+    EXPECT_FALSE(ratio({}, 30));
+    EXPECT_FALSE(ratio(20, {}));
+}
+
 TEST(sessions, one_a_side_is_advisory_unless_asked) {
     const std::vector base{session({session_case("a", 1e6)})}, now{session({session_case("a", 1.2e6)})};
     const Row row = only(compare_sessions(base, now, rules()));

@@ -9,7 +9,9 @@ namespace ptb {
 namespace {
 
 std::string extra(const Passed& p) {
-    return fmt::format("{} samples\ntimer: {}", p.times_ns.size(), p.record.statistics->timer);
+    const auto noise = p.noise();
+    return fmt::format("{} samples\ntimer: {}{}", p.times_ns.size(), p.record.statistics->timer,
+                       noise ? fmt::format("\nefficiency: {}", number_text(*noise->efficiency)) : "");
 }
 
 /// "± 1.2 %", or nothing where there is no interval.
@@ -53,6 +55,11 @@ std::string bencher(const ResultFile& result) {
             s.msamples_per_s * 1e6 * s.median_ns;  // what a render of 1 ns would do a second
         json[p.name] = {{"latency", metric(s.median_ns, low, high)},
                         {"throughput", metric(s.msamples_per_s * 1e6, samples_ns / high, samples_ns / low)}};
+        if (const auto noise = p.noise()) {
+            const double efficiency = *noise->efficiency;
+            json[p.name]["efficiency"] =
+                metric(efficiency, noise->low.value_or(efficiency), noise->high.value_or(efficiency));
+        }
     }
     return dump_json(json, 2) + "\n";
 }

@@ -31,6 +31,11 @@ std::string name_of(const Case& c) {
     return name + "/end";
 }
 
+std::string efficiency_text(const Passed& p, double ns) {
+    const auto noise = p.noise();
+    return noise ? fmt::format(" {:.6g} efficiency", 1 / (noise->rel_mse * ns * 1e-9)) : "";
+}
+
 }  // namespace
 
 std::string go_benchmark(const ResultFile& result) {
@@ -40,8 +45,8 @@ std::string go_benchmark(const ResultFile& result) {
     for (const Passed& p : passed(result)) {
         const Statistics& s = *p.record.statistics;
         for (const double ns : p.times_ns)
-            text += fmt::format("{} 1 {:.0f} ns/op {:.6g} Msamples/s\n", name_of(p.record.params), ns,
-                                s.msamples_per_s * s.median_ns / ns);
+            text += fmt::format("{} 1 {:.0f} ns/op {:.6g} Msamples/s{}\n", name_of(p.record.params), ns,
+                                s.msamples_per_s * s.median_ns / ns, efficiency_text(p, ns));
     }
     return text;
 }

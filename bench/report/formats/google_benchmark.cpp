@@ -18,16 +18,21 @@ Json context(const ResultFile& result) {
 }
 
 Json entry(const Passed& p, std::size_t index) {
-    return {{"name", p.name},
-            {"run_name", p.name},
-            {"run_type", "iteration"},
-            {"repetitions", p.times_ns.size()},
-            {"repetition_index", index},
-            {"threads", 1},
-            {"iterations", 1},
-            {"real_time", p.times_ns[index]},
-            {"cpu_time", p.times_ns[index]},  // readers want one; a device's CPU time is its time
-            {"time_unit", "ns"}};
+    Json json = {{"name", p.name},
+                 {"run_name", p.name},
+                 {"run_type", "iteration"},
+                 {"repetitions", p.times_ns.size()},
+                 {"repetition_index", index},
+                 {"threads", 1},
+                 {"iterations", 1},
+                 {"real_time", p.times_ns[index]},
+                 {"cpu_time", p.times_ns[index]},  // readers want one; a device's CPU time is its time
+                 {"time_unit", "ns"}};
+    if (const auto noise = p.noise()) {  // counters
+        json["relMSE"] = noise->rel_mse;
+        json["efficiency"] = 1 / (noise->rel_mse * p.times_ns[index] * 1e-9);
+    }
+    return json;
 }
 
 }  // namespace

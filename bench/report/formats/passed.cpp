@@ -14,6 +14,11 @@ std::string passed_name(const ResultFile& result, const Record& record) {
         fmt::format("{}: {}", device_label(result, record.params.device), case_text(record.params)));
 }
 
+std::optional<Noise> Passed::noise() const {
+    const auto& e = record.efficiency;
+    return e && e->all && e->all->efficiency ? e->all : std::nullopt;
+}
+
 std::vector<Passed> passed(const ResultFile& result) {
     const Session session = session_of(result, "");
     std::vector<Passed> all;

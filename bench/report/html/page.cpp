@@ -45,28 +45,42 @@ std::string verdict(const PageRun& run, std::size_t) {
            fmt::format("<p class=\"facts\">{}</p>\n", html_text(machine_text(run.result)));
 }
 
-std::string pictures(const PageRun& run, std::size_t) {
-    std::string html;
-    for (const Figure& figure : run.figures) {
-        const std::string caption = html_text(figure.caption);
-        const std::string image = figure.webp.empty()
-                                      ? ""
-                                      : fmt::format("<img alt=\"{}\" src=\"data:image/webp;base64,{}\">",
-                                                    caption, base64(figure.webp));
-        html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", image, caption);
-    }
-    if (run.figures.empty()) return "<p>The result file names no picture.</p>\n";
-    return fmt::format("<div class=\"pictures\">{}</div>\n", html);
+std::string figure(const Figure& shown) {
+    const std::string caption = html_text(shown.caption);
+    const std::string image =
+        shown.webp.empty()
+            ? ""
+            : fmt::format("<img alt=\"{}\" src=\"data:image/webp;base64,{}\">", caption, base64(shown.webp));
+    return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", image, caption);
 }
 
-/// Their rows lead to cases; page/sweeps.js draws their bars.
+/// Those of one group side by side, under its title.
+std::string pictures(const PageRun& run, std::size_t) {
+    if (run.figures.empty()) return "<p>The result file names no picture.</p>\n";
+    std::string html;
+    for (std::size_t i = 0; i < run.figures.size();) {
+        const std::string& group = run.figures[i].group;
+        std::string together;
+        for (; i < run.figures.size() && run.figures[i].group == group; ++i)
+            together += figure(run.figures[i]);
+        if (!group.empty()) html += fmt::format("<h4>{}</h4>\n", html_text(group));
+        html += fmt::format("<div class=\"pictures\">{}</div>\n", together);
+    }
+    return html;
+}
+
+/// A table whose rows lead to cases.
+std::string leading_table(const Section& section, std::size_t index, const std::string& css_class) {
+    if (section.grid.rows.empty()) return "";
+    TableExtras extras{css_class, {}, "", {}, 0};
+    for (const std::size_t c : section.grid.cases) extras.links.push_back(case_id(index, c));
+    return html_table(section.grid, section.title, extras) + html_paragraphs(section.notes);
+}
+
+/// page/sweeps.js draws their bars.
 std::string sweep_tables(const ResultFile& result, std::size_t index) {
     std::string html;
-    for (const Section& section : sweep_sections(result)) {
-        TableExtras extras{"sweep", {}, "", {}, 0};
-        for (const std::size_t c : section.grid.cases) extras.links.push_back(case_id(index, c));
-        html += html_table(section.grid, section.title, extras) + html_paragraphs(section.notes);
-    }
+    for (const Section& section : sweep_sections(result)) html += leading_table(section, index, "sweep");
     return html;
 }
 
@@ -76,6 +90,8 @@ std::string tables(const PageRun& run, std::size_t index) {
     for (const Section& section : {devices_section(r), kernels_section(r), peaks_section(r.peaks),
                                    limits_section(r.cases), fits_section(r), problems_section(r)})
         if (!section.grid.rows.empty()) html += to_html(section);
+    for (const Section& section : {efficiency_section(r), noise_section(r)})
+        html += leading_table(section, index, "noise");
     return html + work_group_maps(r) + sweep_tables(r, index) + to_html(remarks_section(r));
 }
 
@@ -107,7 +123,7 @@ std::string page(const std::vector<PageRun>& runs, const PublishedTable& publish
         data.push_back(packed(runs[i].result, runs[i].name.empty() ? run_name(runs, i) : runs[i].name));
     return framed(title(runs), main, data,
                   {"chart.min.js", "data.js", "tables.js", "pictures.js", "charts.js", "roofline.js",
-                   "sweeps.js", "page.js"});
+                   "efficiency.js", "sweeps.js", "page.js"});
 }
 
 }  // namespace ptb

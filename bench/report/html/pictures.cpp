@@ -9,6 +9,7 @@
 
 #include "bench/plan/config.h"
 #include "bench/record/status.h"
+#include "bench/report/ladder.h"
 #include "bench/report/words.h"
 #include "bench/validate/blocks.h"
 #include "bench/validate/validate.h"
@@ -55,10 +56,24 @@ std::string status_of(const ResultFile& result, const Case& c) {
     return "";
 }
 
+const Record* record_of(const ResultFile& result, const Case& c) {
+    for (const Record& record : result.cases)
+        if (record.params == c) return &record;
+    return nullptr;
+}
+
+/// ", 512 ms, relMSE 0.118"
+std::string worth_of(const ResultFile& result, const Case& c) {
+    const Record* const record = record_of(result, c);
+    if (record == nullptr || !timed(*record) || !record->efficiency || !record->efficiency->all) return "";
+    return fmt::format(", {} ms, relMSE {}", number_text(ms(record->statistics->median_ns)),
+                       number_text(record->efficiency->all->rel_mse));
+}
+
 std::string caption_of(const ResultFile& result, const Picture& picture) {
     const Case& c = picture.params;
-    return fmt::format("{}: {}, {}, {} samples per pixel{}", device_label(result, c.device), c.kernel,
-                       to_string(c.size), c.spp, status_of(result, c));
+    return fmt::format("{}: {}, {}, {} samples per pixel{}{}", device_label(result, c.device), c.kernel,
+                       to_string(c.size), c.spp, worth_of(result, c), status_of(result, c));
 }
 
 std::optional<Reference> reference_of(const Case& c, const fs::path& folder) {
@@ -78,39 +93,108 @@ Figure z_figure(const Image& image, const Reference& reference, const Picture& p
             webp(map->image)};
 }
 
-/// Appends what there is to see of one picture; `shown` are the references that are there already.
-void append(std::vector<Figure>& all, const ResultFile& result, const Picture& picture,
-            const fs::path& folder, const fs::path& references, std::set<std::string>& shown) {
+/// What there is to see of one picture.
+struct Seen {
+    std::vector<Figure> reference;  ///< none if it is shown already
+    Figure picture, z_map;
+};
+
+/// `shown` are the references that are there already.
+Seen seen(const ResultFile& result, const Picture& picture, const fs::path& folder,
+          const fs::path& references, std::set<std::string>& shown) {
     const Image image = read_png(folder / picture.file);
     const auto reference = reference_of(picture.params, references);
     const Case& c = picture.params;
     const std::string truth =
         fmt::format("{}, {}, path length {}", c.scene, truth_of(c.kernel), c.path_length);
+    Seen all;
     if (reference && shown.insert(truth).second)
-        all.push_back({fmt::format("reference: {}, {} samples per pixel on the host", truth, reference->spp),
-                       webp(small(reference->mean))});
-    all.push_back({caption_of(result, picture), webp(small(image))});
-    if (reference)
-        all.push_back(z_figure(image, *reference, picture));
-    else
-        all.push_back({fmt::format("{}: there is no reference of {}", picture.file, truth), ""});
+        all.reference.push_back(
+            {fmt::format("reference: {}, {} samples per pixel on the host", truth, reference->spp),
+             webp(small(reference->mean))});
+    all.picture = {caption_of(result, picture), webp(small(image))};
+    all.z_map = reference ? z_figure(image, *reference, picture)
+                          : Figure{fmt::format("{}: there is no reference of {}", picture.file, truth), ""};
+    return all;
+}
+
+/// Or why there is none.
+Seen seen_if_any(const ResultFile& result, const Picture& picture, const fs::path& folder,
+                 const fs::path& references, std::set<std::string>& shown) {
+    try {
+        if (!is_plain_name(picture.file)) throw ImageError(picture.file + ": not a name beside the result");
+        return seen(result, picture, folder, references, shown);
+    } catch (const ImageError& error) {
+        const std::string why = without(error.what(), (folder / "").string());
+        return {{}, {fmt::format("{}: no picture: {}", caption_of(result, picture), why), ""}, {}};
+    }
+}
+
+void append(std::vector<Figure>& all, const std::vector<Figure>& figures) {
+    for (const Figure& figure : figures)
+        if (!figure.caption.empty()) all.push_back(figure);
+}
+
+/// Those of a result whose cases make one work in about the same time.
+struct Group {
+    std::string title;
+    std::vector<Picture> pictures;
+};
+
+std::string variant_text(const Case& c) {
+    const std::string variant = to_string(c.variant);
+    return variant.empty() ? "" : ", " + variant;
+}
+
+std::string title_of(const ResultFile& result, const Ladder& ladder) {
+    const Case& c = ladder.work;
+    return fmt::format("{} at {}, path length {}{}, on {}: in about {} ms", c.scene, to_string(c.size),
+                       c.path_length, variant_text(c), device_label(result, c.device),
+                       number_text(ms(ladder.time_ns)));
+}
+
+std::vector<Group> groups_of(const ResultFile& result) {
+    std::vector<Group> groups;
+    for (const Ladder& ladder : ladders(result.cases)) {
+        Group group{title_of(result, ladder), {}};
+        for (const Picture& picture : result.pictures)
+            for (const std::size_t i : ladder.cases)
+                if (result.cases[i].params == picture.params) group.pictures.push_back(picture);
+        if (group.pictures.size() > 1) groups.push_back(group);
+    }
+    return groups;
+}
+
+/// Pictures beside one another, then what they should be, and how far they are from it.
+void append(std::vector<Figure>& all, const std::vector<Seen>& group, const std::string& title) {
+    const std::size_t before = all.size();
+    for (const Seen& each : group) append(all, {each.picture});
+    for (const Seen& each : group) append(all, each.reference);
+    for (const Seen& each : group) append(all, {each.z_map});
+    for (std::size_t i = before; i < all.size(); ++i) all[i].group = title;
 }
 
 }  // namespace
 
 std::vector<Figure> figures(const ResultFile& result, const fs::path& folder, const fs::path& references) {
-    std::vector<Figure> all;
-    std::set<std::string> shown;
-    for (const Picture& picture : result.pictures) {
-        try {
-            if (!is_plain_name(picture.file))
-                throw ImageError(picture.file + ": not a name beside the result");
-            append(all, result, picture, folder, references, shown);
-        } catch (const ImageError& error) {
-            const std::string why = without(error.what(), (folder / "").string());
-            all.push_back({fmt::format("{}: no picture: {}", caption_of(result, picture), why), ""});
+    std::vector<Figure> all, grouped;
+    std::vector<Picture> alone = result.pictures;
+    for (const Group& group : groups_of(result)) {
+        std::set<std::string> shown;
+        std::vector<Seen> together;
+        for (const Picture& picture : group.pictures) {
+            together.push_back(seen_if_any(result, picture, folder, references, shown));
+            std::erase(alone, picture);
         }
+        append(grouped, together, group.title);
     }
+    std::set<std::string> shown;
+    for (const Picture& picture : alone) {
+        const Seen each = seen_if_any(result, picture, folder, references, shown);
+        append(all, each.reference);
+        append(all, {each.picture, each.z_map});
+    }
+    all.insert(all.end(), grouped.begin(), grouped.end());
     return all;
 }
 

@@ -12,6 +12,7 @@ namespace ptb {
 /// A picture of the page and what is said of it; where there is none, `webp` is empty and `caption` says why.
 struct Figure {
     std::string caption, webp;
+    std::string group{};  ///< what it is to be compared in, with those of the same group
     bool operator==(const Figure&) const = default;
 };
 
@@ -26,8 +27,9 @@ struct ZMap {
 /// when their sizes are no multiples. Takes in that 8 bits round, and leaves out what is clamped.
 std::optional<ZMap> z_map(const Image& picture, const Reference& reference, int spp);
 
-/// The pictures that a result names, each after its reference and before its z-map. `folder` is where the
-/// result file lies, `references` where those are.
+/// The pictures that a result names, each after its reference and before its z-map; behind them those of
+/// several kernels at equal time, side by side in a group. `folder` is where the result file lies,
+/// `references` where those are.
 std::vector<Figure> figures(const ResultFile& result, const std::filesystem::path& folder,
                             const std::filesystem::path& references);
 

@@ -35,6 +35,23 @@ std::string image(const Validation& v) {
     return text + fmt::format(", {:.2f} segments a sample", v.segments_per_sample);
 }
 
+std::string noise_text(const char* pixels, const Noise& n) {
+    std::string text = fmt::format("relMSE {} (standard error {}) of {}", number_text(n.rel_mse),
+                                   number_text(n.standard_error), pixels);
+    if (n.efficiency) text += fmt::format(", efficiency {} 1/s", number_text(*n.efficiency));
+    if (n.low && n.high) text += fmt::format(" ({} to {})", number_text(*n.low), number_text(*n.high));
+    return text;
+}
+
+std::string noise(const Efficiency& e) {
+    std::vector<std::string> parts;
+    if (e.all) parts.push_back(noise_text("all pixels", *e.all));
+    if (e.best_99) parts.push_back(noise_text("the best 99 %", *e.best_99));
+    if (e.all) parts.push_back("variance of the " + e.variance_from);
+    if (!e.reason.empty()) parts.push_back(e.reason);
+    return fmt::format("{}", fmt::join(parts, "; "));
+}
+
 std::string build(const Build& b) {
     return fmt::format("kernel {}{}, {} ms", b.kernel_hash, b.overridden ? " (overridden)" : "",
                        number_text(b.build_ms));
@@ -53,6 +70,7 @@ std::string record_facts(const Record& record) {
     if (const auto& s = record.statistics)
         items += item("times, ms", times(*s)) + item("samples", samples(*s));
     if (record.validation) items += item("image", image(*record.validation));
+    if (record.efficiency) items += item("noise", noise(*record.efficiency));
     if (energy && energy->joules) items += item("energy", number_text(*energy->joules) + " J a render");
     if (b) items += item("build", build(*b));
     if (b && !b->log.empty() && !timed(record))

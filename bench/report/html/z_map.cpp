@@ -15,10 +15,7 @@ struct Common {
     std::vector<double> picture, mean, variance;  ///< variance of the difference
 };
 
-Image squared(Image image) {
-    for (float& value : image.rgb) value *= value;
-    return image;
-}
+std::vector<double> numbers(const Image& image) { return {image.rgb.begin(), image.rgb.end()}; }
 
 /// Variance of a picture's value that was rounded to 8 bits of its square root.
 double rounding_variance(double value) {
@@ -26,28 +23,14 @@ double rounding_variance(double value) {
     return step * step / 12;
 }
 
-/// A sample of a block is one of any of its pixels: their variances' mean, and the variance of their means.
-std::vector<double> block_variance(const Reference& reference, int edge) {
-    const auto within = block_means(reference.variance, edge).rgb;
-    const auto squares = block_means(squared(reference.mean), edge).rgb;
-    const auto means = block_means(reference.mean, edge).rgb;
-    std::vector<double> result;
-    for (std::size_t i = 0; i < within.size(); ++i)
-        result.push_back(within[i] + std::max(0.0, squares[i] - means[i] * means[i]));
-    return result;
-}
-
 std::optional<Common> in_common(const Image& picture, const Reference& reference, int spp) {
-    const auto fits = [](Size a, Size b) {
-        return a.width % b.width == 0 && a.height % b.height == 0 && a.width / b.width == a.height / b.height;
-    };
-    const bool larger = fits(picture.size, reference.size), smaller = fits(reference.size, picture.size);
-    if (!larger && !smaller) return std::nullopt;
-    const int shrink = larger ? picture.size.width / reference.size.width : 1;
-    const int edge = larger ? 1 : reference.size.width / picture.size.width;
+    const Size size = std::min(picture.size, reference.size);
+    const auto shown = image_at(picture, size);
+    const auto truth = moments_at({reference.mean, reference.variance}, size);
+    if (!shown || !truth) return std::nullopt;
+    const int shrink = picture.size.width / size.width, edge = reference.size.width / size.width;
     const double samples = 1.0 * spp * shrink * shrink, reference_samples = 1.0 * reference.spp * edge * edge;
-    Common common{larger ? reference.size : picture.size, block_means(picture, shrink).rgb,
-                  block_means(reference.mean, edge).rgb, block_variance(reference, edge)};
+    Common common{size, numbers(*shown), numbers(truth->mean), numbers(truth->variance)};
     for (std::size_t i = 0; i < common.variance.size(); ++i)
         common.variance[i] = common.variance[i] * (1 / samples + 1 / reference_samples) +
                              rounding_variance(common.mean[i]) / (shrink * shrink);

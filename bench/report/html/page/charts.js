@@ -211,7 +211,7 @@ function setUpCharts(runs) {
   themeCharts();
   const points = timedPoints(runs);
   const figures = [...sppChart(points), ...scalingChart(points, runs), ...workGroupChart(points), ...historyChart(points),
-    ...rooflineCharts(runs), ...sweepCharts(runs), ...samplesChart(runs)];
+    ...rooflineCharts(runs), ...noiseChart(runs), ...sweepCharts(runs), ...samplesChart(runs)];
   document.getElementById('charts').append(element('div', {class: 'charts'}, ...figures));
   drawIn(document);
   const redraw = () => {
