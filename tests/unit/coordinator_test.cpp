@@ -104,6 +104,12 @@ TEST(coordinator, what_a_worker_said_in_an_earlier_case_is_not_why_it_died) {
     EXPECT_EQ(records[2].reason, "killed by SIGKILL (9)");
 }
 
+TEST(coordinator, what_a_driver_printed_is_beside_the_log_of_that_record_alone) {
+    for (const Record& record :
+         run(plan_of({make_case("mutter", 1), make_case("mutter", 2)}), fake_channels()))
+        EXPECT_EQ(record.build->log, "printed by the driver:\nwarning: this driver is old");
+}
+
 TEST(coordinator, records_come_in_plan_order_with_the_planned_parameters) {
     const RunPlan plan = plan_of({make_case("good", 3), make_case("sigkill"), make_case("good", 1)});
     const auto records = run(plan, fake_channels());
