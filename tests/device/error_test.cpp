@@ -38,7 +38,7 @@ class OverrideFolder {
 TEST(Errors, failed_launch_names_call_work_device_error_and_code) {
     const Scene scene = load_scene(std::filesystem::path(PTB_SOURCE_DIR) / "configs/scenes/thesis.json");
     on_every_device([&](const ocl::Device& device) {
-        const Integrator& thesis = integrator("thesis");
+        const Integrator thesis = integrator("thesis");
         RenderJob job;
         job.size = {8, 8};
         job.work_group_x = static_cast<int>(device.info.max_work_group) * 2;

@@ -180,7 +180,7 @@ TEST(Determinism, queues_tasks_and_the_film_s_place_change_no_bit) {
 
 TEST(Determinism, where_the_scene_lies_changes_no_bit) {
     on_every_device([&](const ocl::Device& device) {
-        const Integrator& pt = integrator("pt");
+        const Integrator pt = integrator("pt");
         for (const int lanes : {1, 8}) {
             SCOPED_TRACE(fmt::format("lanes {}", lanes));
             EXPECT_EQ(

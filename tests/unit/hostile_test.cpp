@@ -1,4 +1,5 @@
 // What drivers say of themselves, and what a locale does to numbers, through everything that is written.
+#include <algorithm>
 #include <clocale>
 #include <cstdlib>
 #include <locale>

@@ -1,5 +1,6 @@
 #include "bench/measure/method.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
