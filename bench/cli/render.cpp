@@ -144,23 +144,12 @@ int render_command(const Options& options) {
     const Stopped stopped = [&stop = watch_for_interruption()] { return stop.load(); };
     DeviceWorker worker(device, process_channels(worker_launch(options.common), longest_silence, stopped),
                         options_of(flags, options.common));
-    const Reply reply = rendered(worker, c, options.common.quiet);
+    const Reply reply = rendered(worker, c, flags, options.common.quiet);
     if (options.common.verbose && !reply.printed.empty())
         tell(options.common, "printed by the driver:\n" + reply.printed);
     write_image(flags.output, *reply.picture);
-    const bool whole = reply.response.whole;
-    tell(options.common, "written: " + flags.output + (whole ? "" : " (interrupted: as far as it got)"));
-    return whole ? exit_codes::done : exit_codes::interrupted;
-
-/// "written: x.png (123 SPP in 10.02 s)"
-std::string outcome_text(const RenderFlags& flags, const Response& rendered) {
-    std::vector<std::string> remarks;
-    if (flags.time_s)
-        remarks.push_back(fmt::format("{:.7g} SPP in {:.4g} s", rendered.spp, rendered.seconds));
-    if (!rendered.whole) remarks.emplace_back("interrupted: as far as it got");
-    if (remarks.empty()) return "written: " + flags.output;
-    return fmt::format("written: {} ({})", flags.output, fmt::join(remarks, "; "));
-}
+    tell(options.common, outcome_text(flags, reply.response));
+    return reply.response.whole ? exit_codes::done : exit_codes::interrupted;
 }
 
 }  // namespace ptb
