@@ -84,7 +84,9 @@ void check_full_length(Validation& validation, const FilmEvidence& evidence, con
     const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
     const double share = static_cast<double>(*evidence.film.full_length_paths) / n;
     const double expected = reference.full_length_share;
-    const double z = z_score(share, expected, difference_variance(expected * (1 - expected), n, m));
+    // Of both sides together: a share so rare that one side has none has a variance still.
+    const double pooled = (share * n + expected * m) / (n + m);
+    const double z = z_score(share, expected, difference_variance(pooled * (1 - pooled), n, m));
     validation.checks.push_back("full_length");
     if (std::abs(z) > limit)
         fail(validation,

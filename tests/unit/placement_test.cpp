@@ -104,12 +104,12 @@ TEST(Placement, of_a_scattering_sky_far_away_leaves_a_wall_vast) {
 TEST(Placement, tells_a_ball_that_single_precision_loses) {
     Scene scene = two_balls();
     EXPECT_EQ(place(scene).lost, std::nullopt);
-    EXPECT_EQ(pt_refusal({}, scene, {}), "");
+    EXPECT_EQ(integrator("pt").refusal({}, scene, {}), "");
     scene.name = "dust";
     scene.spheres[2] = {{0, 1e5, 0}, 1e-3, 1};
     scene.spheres.push_back({{0, -1e5, 0}, 1e-3, 1});
     EXPECT_NE(place(scene).lost, std::nullopt);
-    EXPECT_THAT(pt_refusal({}, scene, {}),
+    EXPECT_THAT(integrator("pt").refusal({}, scene, {}),
                 testing::MatchesRegex("scene dust: /spheres/[23]: pt's single precision loses a radius of "
                                       "0.001 at a distance of [12]00000"));
 }
