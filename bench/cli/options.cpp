@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include <CLI/CLI.hpp>
+#include <boost/tokenizer.hpp>
 #include <fmt/format.h>
 
 #include "bench/cli/exit_code.h"
@@ -399,6 +400,12 @@ std::vector<CommandText> command_texts() {
     return texts;
 }
 
-std::vector<std::string> split_words(const std::string& text) { return CLI::detail::split_up(text); }
+std::vector<std::string> split_words(const std::string& text) {
+    const boost::escaped_list_separator<char> quoted("", " \t", "\"'");
+    std::vector<std::string> words;
+    for (const std::string& word : boost::tokenizer<boost::escaped_list_separator<char>>(text, quoted))
+        if (!word.empty()) words.push_back(word);
+    return words;
+}
 
 }  // namespace ptb
