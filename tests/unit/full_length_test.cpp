@@ -5,7 +5,7 @@
 namespace ptb {
 namespace {
 
-constexpr Size edge{64, 64};
+constexpr Size edge{64, 64}, film_edge{32, 32};
 constexpr int spp = 100, reference_spp = 1000;
 
 /// A grey reference of which no path reached full length.
@@ -23,12 +23,13 @@ Reference without_full_paths() {
 Validation of_film_with(std::uint64_t full_length_paths) {
     const Reference reference = without_full_paths();
     Film film;
-    film.mean = reference.mean;
-    film.samples = edge.pixels() * spp;
+    film.mean = {film_edge, std::vector<float>(film_edge.pixels() * 3, 0.5f)};
+    film.samples = film_edge.pixels() * spp;
     film.segments = 2 * *film.samples;
     film.full_length_paths = full_length_paths;
-    Validation validation;
-    check_against(validation, {film, edge, spp, 128}, reference);
+    const FilmEvidence evidence{film, film_edge, spp, 128};
+    Validation validation = check_film(evidence);
+    check_against(validation, evidence, reference);
     return validation;
 }
 
