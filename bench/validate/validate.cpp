@@ -7,6 +7,7 @@
 #include <limits>
 #include <tuple>
 
+#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <fmt/format.h>
 
@@ -78,15 +79,30 @@ void check_segments(Validation& validation, const FilmEvidence& evidence, const 
                          validation.segments_per_sample, reference.segments_per_sample, z));
 }
 
+constexpr double rare = 100;  ///< so few in all are not Gaussian
+
+/// Of two counts of rare events, when `share` of all samples are the first side's, as many standard errors as
+/// a Gaussian would need to be as unlikely: given their sum the first count is binomial.
+double rare_z(double found, double there, double share) {
+    if (found + there == 0) return 0;
+    const boost::math::binomial events(found + there, share);
+    const bool many = found > (found + there) * share;
+    const double tail = many ? cdf(complement(events, found - 1)) : cdf(events, found);
+    const double z = quantile(complement(boost::math::normal(), std::clamp(tail, 1e-300, 0.5)));
+    return many ? z : -z;
+}
+
 void check_full_length(Validation& validation, const FilmEvidence& evidence, const Reference& reference,
                        double limit) {
     if (!evidence.film.full_length_paths || !same_shape(evidence.size, reference.size)) return;
     const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
     const double share = static_cast<double>(*evidence.film.full_length_paths) / n;
     const double expected = reference.full_length_share;
-    // Of both sides together: a share so rare that one side has none has a variance still.
-    const double pooled = (share * n + expected * m) / (n + m);
-    const double z = z_score(share, expected, difference_variance(pooled * (1 - pooled), n, m));
+    const double found = static_cast<double>(*evidence.film.full_length_paths),
+                 there = std::round(expected * m);
+    const double z = found + there < rare
+                         ? rare_z(found, there, n / (n + m))
+                         : z_score(share, expected, difference_variance(expected * (1 - expected), n, m));
     validation.checks.push_back("full_length");
     if (std::abs(z) > limit)
         fail(validation,
