@@ -40,6 +40,7 @@ TEST(FullLength, a_share_so_rare_that_the_reference_has_none_is_no_error) {
 }
 
 TEST(FullLength, a_share_that_chance_does_not_explain_is_one) {
+    EXPECT_FALSE(of_film_with(5).valid) << "5 in 100,000";
     const Validation many = of_film_with(400);
     EXPECT_FALSE(many.valid);
     EXPECT_NE(many.reason.find("full length"), std::string::npos) << many.reason;
