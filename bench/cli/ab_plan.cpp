@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "bench/cli/check.h"
+#include "bench/cli/commands.h"
 #include "bench/plan/data_dir.h"
 
 namespace ptb {
@@ -34,7 +35,8 @@ Side running(const std::string& name, const GateSide& side, const Config& config
              const Stopped& stopped) {
     const auto silence = std::chrono::duration_cast<std::chrono::milliseconds>(
         std::chrono::duration<double>(config.timeout_s));
-    const WorkerLaunch launch{std::filesystem::absolute(side.binary).string(), split_words(common.launcher)};
+    WorkerLaunch launch = worker_launch(common);
+    launch.executable = std::filesystem::absolute(side.binary).string();
     return {name, process_channels(launch, silence, stopped), config.measure};
 }
 

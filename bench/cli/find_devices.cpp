@@ -1,15 +1,20 @@
 #include <algorithm>
+#include <chrono>
 
 #include <fmt/format.h>
 
 #include "bench/cli/commands.h"
 #include "bench/cli/interrupt.h"
+#include "bench/cli/tell.h"
 #include "bench/plan/data_dir.h"
 
 namespace ptb {
 
 WorkerLaunch worker_launch(const CommonFlags& flags) {
-    return {self_path().string(), split_words(flags.launcher)};
+    const std::chrono::duration<double> start_timeout(flags.start_timeout_s);
+    return {self_path().string(), split_words(flags.launcher),
+            std::chrono::duration_cast<std::chrono::milliseconds>(start_timeout),
+            [flags](const std::string& words) { tell_waiting(flags, words); }};
 }
 
 namespace {
@@ -20,6 +25,10 @@ DeviceList probe_through(const WorkerLaunch& launch, const Stopped& stopped) {
         // Behind a launcher may be another machine, or a tool that stands in for all drivers: its loader
         // decides.
         return probe({any_icd}, launch, probe_patience, stopped);
+    } catch (const NoWorker&) {
+        throw;
+    } catch (const TwoWorkers&) {
+        throw;
     } catch (const std::exception& error) {
         throw UsageError(fmt::format("--launcher: {}", error.what()));
     }

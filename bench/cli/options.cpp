@@ -90,7 +90,12 @@ void add_common_flags(CLI::App& app, CommonFlags& flags) {
         ->check(CLI::IsMember({"auto", "always", "never"}));
     option(app, "--kernel-dir", flags.kernel_dir, "kernels from this folder instead of the embedded ones")
         ->check(CLI::ExistingDirectory);
-    option(app, "--launcher", flags.launcher, "words before a worker's command: \"srun -w node7\"");
+    option(app, "--launcher", flags.launcher,
+           "words before a worker's command, which start one: \"srun -n1 -w node7\"");
+    option(app, "--start-timeout", flags.start_timeout_s,
+           "how long a launcher may take to start a worker, e.g. in a queue, seconds")
+        ->check(seconds(false))
+        ->capture_default_str();
 }
 
 namespace {
@@ -189,6 +194,7 @@ struct Grammar {
         worker = app.add_subcommand("worker", "answer requests on stdin; started by ptbench itself");
         worker->group("");
         worker->add_option("--device", options.worker.device, "key of the device");
+        worker->add_option("--nonce", options.worker.nonce, "names this process among others");
         worker->add_flag("--probe", options.worker.probe, "print the devices and end");
         for (auto* command : {&app, list, render, compare, ab, tune, doctor, report, worker}) {
             command->set_version_flag("--version", std::string("ptbench ") + version::tool);

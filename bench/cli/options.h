@@ -15,7 +15,8 @@ struct CommonFlags {
     bool quiet = false, verbose = false;
     std::string color = "auto";  ///< "auto", "always" or "never"
     std::string kernel_dir;
-    std::string launcher;  ///< words before a worker's command
+    std::string launcher;          ///< words before a worker's command
+    double start_timeout_s = 600;  ///< until a launcher has started one
 };
 
 /// Flags of `run`. What was not given stays empty, and the config decides.
@@ -49,7 +50,7 @@ struct RenderFlags {
 };
 
 struct WorkerFlags {
-    std::string device;
+    std::string device, nonce;
     bool probe = false;
 };
 

@@ -1,3 +1,6 @@
+#include <chrono>
+#include <stdexcept>
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -7,12 +10,14 @@
 #include "bench/cli/interrupt.h"
 #include "bench/cli/outputs.h"
 #include "bench/cli/tell.h"
-#include "bench/worker/render_job.h"
+#include "bench/worker/device_worker.h"
 #include "core/image/image_io.h"
 #include "core/input/printable.h"
 
 namespace ptb {
 namespace {
+
+constexpr std::chrono::minutes longest_silence(10);  ///< compilers may take their time
 
 void check_output(const std::string& output) {
     if (output.empty()) throw UsageError("render: -o FILE is missing (.exr, .pfm, .png or .ppm)");
@@ -46,28 +51,67 @@ Case case_of(const RenderFlags& flags) {
     return c;
 }
 
-void show_progress(double done) { put(stderr, fmt::format("\r{:3.0f} %", 100 * done)); }
+MeasureOptions options_of(const RenderFlags& flags, const CommonFlags& common) {
+    MeasureOptions options;
+    options.seed = flags.seed;
+    options.kernel_dir = common.kernel_dir;
+    return options;
+}
+
+/// Shows the share that is done on a terminal, while it lives.
+class ShareDone {
+  public:
+    explicit ShareDone(bool quiet) : live_(!quiet && ::isatty(STDERR_FILENO) != 0) {}
+    ~ShareDone() {
+        if (live_) put(stderr, "\r\033[K");
+    }
+    ShareDone(const ShareDone&) = delete;
+    ShareDone& operator=(const ShareDone&) = delete;
+    void show(const Response& progress) const {
+        if (live_ && progress.stage == "render") put(stderr, fmt::format("\r{:3.0f} %", 100 * progress.done));
+    }
+
+  private:
+    bool live_;
+};
+
+/// The answer to a request to render; throws why there is none.
+Reply rendered(DeviceWorker& worker, const Case& c, bool quiet) {
+    if (!worker.ready()) {
+        if (worker.given_up().empty()) throw Interrupted();
+        throw std::runtime_error(worker.given_up());
+    }
+    Request request;
+    request.kind = Request::Kind::render;
+    request.params = c;
+    const ShareDone share(quiet);
+    Reply reply = worker.request(request, [&](const Response& progress) { share.show(progress); });
+    if (reply.end != Reply::End::answered) throw std::runtime_error(reply.reason);
+    if (reply.response.kind == Response::Kind::refused) throw UsageError(reply.response.reason);
+    if (reply.response.kind != Response::Kind::rendered) throw std::runtime_error(reply.response.reason);
+    if (!reply.picture) throw std::runtime_error("the picture did not arrive whole");
+    return reply;
+}
 
 }  // namespace
 
 int render_command(const Options& options) {
     const RenderFlags& flags = options.render;
     check_output(flags.output);
-    RenderRequest request{case_of(flags), flags.seed, options.common.kernel_dir, flags.output};
+    Case c = case_of(flags);
     const DeviceList list = find_devices(options.common);
     if (!any_usable(list)) {
         put(stderr, no_device_text(list) + "\n");
         return exit_codes::no_device;
     }
     const DeviceInfo device = choose_device(flags.device, list.devices);
-    const IcdFolder folder(icd_from_file(device.icd));
-    see_only(folder);
-    request.params.device = local_key(device.key);
-    const auto& stop = watch_for_interruption();
-    const bool live = !options.common.quiet && ::isatty(STDERR_FILENO) != 0;
-    const bool whole = render_to_file(
-        request, live ? show_progress : [](double) {}, stop);
-    if (live) put(stderr, "\r\033[K");
+    c.device = device.key;
+    const Stopped stopped = [&stop = watch_for_interruption()] { return stop.load(); };
+    DeviceWorker worker(device, process_channels(worker_launch(options.common), longest_silence, stopped),
+                        options_of(flags, options.common));
+    const Reply reply = rendered(worker, c, options.common.quiet);
+    write_image(flags.output, *reply.picture);
+    const bool whole = reply.response.whole;
     tell(options.common, "written: " + flags.output + (whole ? "" : " (interrupted: as far as it got)"));
     return whole ? exit_codes::done : exit_codes::interrupted;
 }

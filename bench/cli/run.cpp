@@ -204,11 +204,14 @@ int measure(const Options& options, Prepared& prepared, ResultFile& result, cons
     result.run.wall_s += steady_seconds() - start_s;
     result.run.coordinator_cpu_s += process_cpu_s();
     result.run.interrupted = stopped();
+    const auto& remarks = coordinator.remarks();
+    result.warnings.insert(result.warnings.end(), remarks.begin(), remarks.end());
     result.pictures = outputs.made(result.cases);
     baseline.judge(result, prepared.config);
     report(options, prepared, outputs, result);
     Outcome outcome = outcome_of(result.cases);
     baseline.conclude(result, options.common, outputs.stdout_is_taken() ? stderr : stdout, outcome);
+    outcome.failed |= coordinator.has_given_up();
     outcome.interrupted = result.run.interrupted;
     return exit_code(outcome);
 }

@@ -20,6 +20,12 @@ void tell(const CommonFlags& flags, const std::string& line) {
     if (!flags.quiet && !line.empty()) put(stderr, line + "\n");
 }
 
+void tell_waiting(const CommonFlags& flags, const std::string& words) {
+    const char* const clear_line = ::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
+    tell(flags, fmt::format("{}waiting for a worker of --launcher{}{}", clear_line, words.empty() ? "" : ": ",
+                            words));
+}
+
 bool use_colour(const CommonFlags& flags, std::FILE* out) {
     if (flags.color != "auto") return flags.color == "always";
     const char* const no_colour = std::getenv("NO_COLOR");

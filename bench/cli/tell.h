@@ -17,6 +17,9 @@ void put(std::FILE* out, const std::string& text);
 /// Says to stderr what only matters to a person who watches; nothing under -q, and nothing for an empty line.
 void tell(const CommonFlags& flags, const std::string& line);
 
+/// Says what a launcher last said while it has not started a worker.
+void tell_waiting(const CommonFlags& flags, const std::string& words);
+
 /// Whether to colour what goes to `out`: as --color says, else only on a terminal and without NO_COLOR.
 bool use_colour(const CommonFlags& flags, std::FILE* out);
 

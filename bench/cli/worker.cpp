@@ -8,8 +8,9 @@
 
 #include "bench/cli/commands.h"
 #include "bench/cli/exit_code.h"
-#include "bench/version.h"
 #include "bench/worker/devices.h"
+#include "bench/worker/probe.h"
+#include "bench/worker/request_lines.h"
 #include "bench/worker/session.h"
 
 namespace ptb {
@@ -35,13 +36,15 @@ class Answers {
     std::unique_ptr<std::FILE, Close> out_;
 };
 
-int answer_probe(const Answers& answers) {
+int answer_probe(const Answers& answers, const WorkerIdentity& worker) {
+    const RequestLines leaves_with_its_coordinator(std::cin);
+    answers.send(started_line(worker));
     try {
         answers.send(probe_line(probe_devices()));
     } catch (const std::exception& error) {
         answers.send(probe_error_line(error.what()));
     }
-    return exit_codes::done;
+    std::_Exit(exit_codes::done);  // that thread may wait for ever
 }
 
 Response failed(const std::string& reason) {
@@ -51,26 +54,45 @@ Response failed(const std::string& reason) {
     return response;
 }
 
-void send_response(const Answers& answers, Response response) {
-    if (response.kind == Response::Kind::ready) response.tool_version = version::tool;
-    answers.send(to_line(response));
-}
+/// Answers requests one by one, each answer with the request's number and the worker's identity.
+class Worker {
+  public:
+    Worker(const std::string& device, WorkerIdentity identity)
+        : identity_(std::move(identity)),
+          lines_(std::cin),
+          session_(make_session(device, [this](std::int64_t n) { return lines_.is_stopped(n); })) {}
+
+    void answer_all(const Answers& answers) {
+        while (const auto line = lines_.next()) {
+            std::int64_t number = 0;
+            const auto send = [&](Response response) {
+                response.number = number;
+                response.worker = identity_;
+                answers.send(to_line(response));
+            };
+            try {
+                const Request request = parse_request(*line);
+                number = request.number;
+                session_->answer(request, send);
+            } catch (const std::exception& error) {
+                send(failed(error.what()));
+            }
+        }
+    }
+
+  private:
+    WorkerIdentity identity_;
+    RequestLines lines_;
+    std::unique_ptr<WorkerSession> session_;
+};
 
 }  // namespace
 
 int worker_command_line(const Options& options) {
     const Answers answers;
-    if (options.worker.probe) return answer_probe(answers);
-    std::unique_ptr<WorkerSession> session;
-    for (std::string line; std::getline(std::cin, line);) {
-        try {
-            const Request request = parse_request(line);
-            if (!session) session = make_session(options.worker.device);
-            session->answer(request, [&](const Response& response) { send_response(answers, response); });
-        } catch (const std::exception& error) {
-            send_response(answers, failed(error.what()));
-        }
-    }
+    const WorkerIdentity identity = this_worker(options.worker.nonce);
+    if (options.worker.probe) return answer_probe(answers, identity);
+    Worker(options.worker.device, identity).answer_all(answers);
     return exit_codes::done;
 }
 

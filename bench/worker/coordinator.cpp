@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "core/image/image_io.h"
+
 namespace ptb {
 namespace {
 
@@ -23,6 +25,7 @@ Record record(const Case& c, Status status, std::string reason) {
 Record record_of(const Case& c, Reply reply) {
     switch (reply.end) {
         case Reply::End::crashed:
+        case Reply::End::not_started:
             return record(c, Status::crash, reply.reason);
         case Reply::End::timed_out:
             return record(c, Status::timeout, reply.reason);
@@ -35,7 +38,8 @@ Record record_of(const Case& c, Reply reply) {
         const std::string& why = reply.response.reason;
         return record(c, Status::runtime, why.empty() ? "the worker answered without a record" : why);
     }
-    reply.response.record->params = c;  // a worker knows its device by its own key
+    if (reply.response.record->params != c)
+        return record(c, Status::crash, "the worker answered for another case");
     return std::move(*reply.response.record);
 }
 
@@ -57,10 +61,18 @@ std::vector<double> samples_to_come(const RunPlan& plan, const Forecast& forecas
 
 }  // namespace
 
-Record ask(DeviceWorker& worker, const Request& request, const Channel::Progress& progress) {
-    if (worker.ready()) return record_of(request.params, worker.request(request, progress));
+Measured ask_with_picture(DeviceWorker& worker, const Request& request, const Channel::Progress& progress) {
+    if (worker.ready()) {
+        Reply reply = worker.request(request, progress);
+        auto picture = std::move(reply.picture);
+        return {record_of(request.params, std::move(reply)), std::move(picture)};
+    }
     const std::string& why = worker.given_up();
-    return record(request.params, Status::skipped, why.empty() ? interrupted_reason : why);
+    return {record(request.params, Status::skipped, why.empty() ? interrupted_reason : why), std::nullopt};
+}
+
+Record ask(DeviceWorker& worker, const Request& request, const Channel::Progress& progress) {
+    return ask_with_picture(worker, request, progress).record;
 }
 
 DevicePeaks ask_peaks(DeviceWorker& worker, const std::string& device) {
@@ -126,6 +138,8 @@ std::vector<Record> Coordinator::run(const Forecast& forecast, const std::vector
         for (RunObserver* observer : observers) observer->finished(i, records.back());
     }
     if (live_ != nullptr) live_->close();
+    for (const auto& [device, worker] : workers_)
+        if (!worker.given_up().empty()) remarks_.push_back(worker.given_up());
     assert(records.size() == plan_.cases.size());
     return records;
 }
@@ -134,7 +148,27 @@ Record Coordinator::run_case(std::size_t index, const Forecast& forecast, const 
     const Case& c = plan_.cases[index];
     const std::string reason = not_to_try(c, forecast);
     if (!reason.empty()) return record(c, Status::skipped, reason);
-    return ask(worker_of(c.device), run_request(index), progress);
+    const Measured measured = ask_with_picture(worker_of(c.device), run_request(index), progress);
+    keep_picture(c, measured);
+    return measured.record;
+}
+
+/// A picture that cannot be kept costs no time.
+void Coordinator::keep_picture(const Case& c, const Measured& measured) {
+    const auto file = plan_.image_files.find(c);
+    const bool timed = measured.record.work && measured.record.work->segments > 0;
+    if (file == plan_.image_files.end() || !timed) return;
+    try {
+        if (!measured.picture) throw std::runtime_error("it did not arrive whole");
+        write_image(file->second, *measured.picture);
+    } catch (const std::exception& error) {
+        remarks_.push_back(fmt::format("no picture of {}: {}", c.device, error.what()));
+    }
+}
+
+bool Coordinator::has_given_up() const {
+    return std::any_of(workers_.begin(), workers_.end(),
+                       [](const auto& worker) { return !worker.second.given_up().empty(); });
 }
 
 /// Only one device's worker lives at a time: an idle one still holds memory, threads and clocks.
@@ -170,8 +204,7 @@ Request Coordinator::run_request(std::size_t index) const {
     request.params = c;
     if (const auto left_s = budget_left_s())
         request.time_left_s = std::min(*left_s, std::max(repetitions_s(plan_), *left_s - reserved_s_[index]));
-    const auto image = plan_.image_files.find(c);
-    if (image != plan_.image_files.end()) request.image_file = image->second;
+    request.picture = plan_.image_files.contains(c);
     return request;
 }
 

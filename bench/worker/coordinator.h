@@ -27,7 +27,14 @@ struct RunPlan {
     std::map<Case, std::string> image_files;
 };
 
-/// The record that answers a request to run a case, or the one that says why there is none.
+/// A record, and the picture that came with it.
+struct Measured {
+    Record record;
+    std::optional<Image> picture;
+};
+
+/// What answers a request to run a case, or the record that says why nothing does.
+Measured ask_with_picture(DeviceWorker& worker, const Request& request, const Channel::Progress& progress);
 Record ask(DeviceWorker& worker, const Request& request, const Channel::Progress& progress);
 
 /// What a worker's device can do at most, or why nobody knows.
@@ -52,11 +59,18 @@ class Coordinator {
     /// Runs the plan in its order; `observers` hear of each case.
     std::vector<Record> run(const Forecast& forecast, const std::vector<RunObserver*>& observers);
 
+    /// Pictures that were not written, and workers that were given up: "no picture of pocl:0: disk full".
+    const std::vector<std::string>& remarks() const { return remarks_; }
+
+    /// Whether there is a device whose worker did not start, or may be left behind.
+    bool has_given_up() const;
+
   private:
     DeviceWorker& worker_of(const std::string& device);
     std::optional<double> budget_left_s() const;
     std::string not_to_try(const Case& c, const Forecast& forecast) const;
     Request run_request(std::size_t index) const;
+    void keep_picture(const Case& c, const Measured& measured);
     Record run_case(std::size_t index, const Forecast& forecast, const Channel::Progress& progress);
 
     RunPlan plan_;
@@ -66,6 +80,7 @@ class Coordinator {
     std::vector<double> reserved_s_;  ///< for each case, what one sample of each later one takes
     std::map<std::string, DeviceWorker> workers_;
     DeviceWorker* live_ = nullptr;
+    std::vector<std::string> remarks_;
 };
 
 }  // namespace ptb

@@ -1,11 +1,23 @@
 #include "bench/worker/device_worker.h"
 
+#include <filesystem>
+
 #include <fmt/format.h>
+
+#include "bench/plan/data_dir.h"
+#include "bench/plan/scene_file.h"
+#include "core/input/json.h"
+#include "core/source/source.h"
 
 namespace ptb {
 namespace {
 
 constexpr int tries_to_open = 2;
+
+std::string hash_of_scene(const std::string& scene) {
+    const std::filesystem::path file = scene_file(scene, data_dir());
+    return std::filesystem::is_regular_file(file) ? text_hash(read_text(file)) : std::string();
+}
 
 bool is_ready(const Reply& reply) {
     return reply.end == Reply::End::answered && reply.response.kind == Response::Kind::ready;
@@ -13,10 +25,9 @@ bool is_ready(const Reply& reply) {
 
 void check_version(const Response& answer) {
     if (answer.protocol == protocol_version) return;
-    throw VersionMismatch(fmt::format(
-        "the worker (ptbench {}) speaks protocol {}, this ptbench speaks {}; use the same version",
-        answer.tool_version.empty() ? "of another version" : answer.tool_version, answer.protocol,
-        protocol_version));
+    throw VersionMismatch(
+        fmt::format("the worker speaks protocol {}, this ptbench speaks {}; use the same version",
+                    answer.protocol, protocol_version));
 }
 
 }  // namespace
@@ -25,10 +36,13 @@ bool DeviceWorker::ready() {
     while (!channel_ && given_up_.empty()) {
         const Reply reply = open();
         if (reply.end == Reply::End::answered) check_version(reply.response);
-        if (is_ready(reply)) return true;
-        channel_.reset();
+        if (is_ready(reply)) {
+            check_facts(reply.response);
+            return true;
+        }
+        close();
         if (reply.end == Reply::End::interrupted) return false;
-        judge(reply);
+        if (given_up_.empty()) judge(reply);
     }
     return channel_ != nullptr;
 }
@@ -37,7 +51,7 @@ Reply DeviceWorker::open() {
     try {
         channel_ = open_(device_);
     } catch (const std::exception& error) {
-        return {Reply::End::crashed, {}, error.what()};
+        return {Reply::End::crashed, {}, error.what(), {}};
     }
     Request request;
     request.kind = Request::Kind::open;
@@ -45,18 +59,35 @@ Reply DeviceWorker::open() {
     return channel_->request(request, [](const Response&) {});
 }
 
+void DeviceWorker::check_facts(const Response& ready) {
+    if (!facts_) facts_ = ready.facts;
+    if (ready.facts == *facts_) return;
+    throw VersionMismatch(
+        fmt::format("the worker of {} is of something else: {}; use the same build and kernels", device_.key,
+                    fmt::join(differences(ready.facts.facts, "there", facts_->facts, "here"), "; ")));
+}
+
 void DeviceWorker::judge(const Reply& reply) {
     if (reply.end == Reply::End::answered) {
         given_up_ = fmt::format("{} cannot be opened: {}", device_.key, reply.response.reason);
-    } else if (++failed_opens_ == tries_to_open) {
+    } else if (++failed_opens_ == tries_to_open || reply.end == Reply::End::not_started) {
         given_up_ = fmt::format("the worker of {} fails to start: {}", device_.key, reply.reason);
     }
 }
 
 Reply DeviceWorker::request(const Request& request, const Channel::Progress& progress) {
-    Reply reply = channel_->request(request, progress);
-    if (reply.end != Reply::End::answered || reply.response.device_failed) channel_.reset();
+    Request complete = request;
+    if (is_as_here_ && !request.params.scene.empty())
+        complete.scene_hash = hash_of_scene(request.params.scene);
+    Reply reply = channel_->request(complete, progress);
+    if (reply.end != Reply::End::answered || reply.response.device_failed) close();
     return reply;
+}
+
+void DeviceWorker::close() {
+    if (channel_ && !channel_->end())
+        given_up_ = fmt::format("an earlier worker of {} may still run and would disturb", device_.key);
+    channel_.reset();
 }
 
 }  // namespace ptb

@@ -1,24 +1,35 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "bench/worker/channel.h"
 
 namespace ptb {
 
-/// A worker of another version of ptbench: its numbers are not comparable. Ends the run with exit code 7.
+/// A worker of another version of ptbench, or with other kernels: its numbers are not comparable. Ends the
+/// run with exit code 7.
 struct VersionMismatch : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
 /// One device's worker: opened on demand, replaced after it died or its device failed, given up when it
-/// cannot open a second time.
+/// cannot open a second time, or when the one before may live on and disturb it.
 class DeviceWorker {
   public:
+    /// A worker must be of `facts`; without them, all must be of what the first one is of.
+    DeviceWorker(const DeviceInfo& device, const OpenChannel& open, const MeasureOptions& measure,
+                 std::optional<WorkerFacts> facts)
+        : device_(device),
+          open_(open),
+          measure_(measure),
+          is_as_here_(facts.has_value()),
+          facts_(std::move(facts)) {}
     DeviceWorker(const DeviceInfo& device, const OpenChannel& open, const MeasureOptions& measure)
-        : device_(device), open_(open), measure_(measure) {}
+        : DeviceWorker(device, open, measure, facts_here(measure.kernel_dir)) {}
 
     /// True when a worker is there and open. Throws VersionMismatch.
     bool ready();
@@ -29,15 +40,18 @@ class DeviceWorker {
     /// Sends a request to a worker that is ready.
     Reply request(const Request& request, const Channel::Progress& progress);
 
-    void close() { channel_.reset(); }
+    void close();
 
   private:
     Reply open();
+    void check_facts(const Response& ready);
     void judge(const Reply& reply);
 
     DeviceInfo device_;
     OpenChannel open_;
     MeasureOptions measure_;
+    bool is_as_here_;  ///< also the texts of scenes must be
+    std::optional<WorkerFacts> facts_;
     std::unique_ptr<Channel> channel_;
     std::string given_up_;
     int failed_opens_ = 0;

@@ -41,8 +41,8 @@ Request round_request(const Case& c) {
 }  // namespace
 
 PairedRun::PairedRun(const DeviceInfo& device, const Side& base, const Side& now, Stopped stopped)
-    : base_{base.name, DeviceWorker(device, base.open, base.measure)},
-      now_{now.name, DeviceWorker(device, now.open, now.measure)},
+    : base_{base.name, DeviceWorker(device, base.open, base.measure, std::nullopt)},
+      now_{now.name, DeviceWorker(device, now.open, now.measure, std::nullopt)},
       stopped_(std::move(stopped)) {}
 
 Record PairedRun::validated(Worker& side, const Case& c) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -11,72 +12,132 @@ namespace {
 
 using std::chrono::milliseconds;
 
+double seconds(milliseconds time) { return static_cast<double>(time.count()) / 1000; }
+
 class ProcessChannel : public Channel {
   public:
     ProcessChannel(const DeviceInfo& device, const WorkerLaunch& launch, milliseconds silence,
                    Stopped stopped)
         : folder_(icd_from_file(device.icd)),
-          process_(worker_command(launch, folder_, {"--device", local_key(device.key)})),
+          nonce_(drawn_nonce()),
+          process_(worker_command(launch, folder_, nonce_, {"--device", local_key(device.key)})),
+          launch_(launch),
           silence_(silence),
-          stopped_(std::move(stopped)) {}
+          stopped_(std::move(stopped)),
+          waiting_(launch.waiting) {}
 
     Reply request(const Request& request, const Progress& progress) override {
-        if (!process_.write_line(to_line(request))) return crashed();
+        Request numbered = request;
+        numbered.number = ++number_;
+        if (!process_.write_line(to_line(numbered))) return crashed();
+        PartialReply partial(request, progress);
         for (;;) {
-            Reply reply = next_response();
-            if (reply.end != Reply::End::answered || reply.response.kind != Response::Kind::progress)
-                return reply;
-            progress(reply.response);
+            Reply reply = next(numbered);
+            if (reply.end != Reply::End::answered) return reply;
+            if (auto last = partial.take(reply.response)) return std::move(*last);
         }
     }
+
+    bool end() override { return process_.end(); }
 
   private:
-    Reply next_response() {
+    Reply next(const Request& request) {
         std::string line;
-        switch (process_.read_line(line, silence_, stopped_)) {
-            case ReadStatus::line:
-                return parsed(line);
-            case ReadStatus::ended:
-                return crashed();
-            case ReadStatus::interrupted:
-                process_.kill();
-                return {Reply::End::interrupted, {}, "interrupted"};
-            case ReadStatus::silent:
-                break;
+        ReadStatus status = process_.read_line(line, patience(), [this] { return to_stop(); });
+        if (status == ReadStatus::interrupted && request.kind == Request::Kind::render) {
+            stop(request);
+            status = process_.read_line(line, patience());
         }
-        process_.kill();
+        if (status == ReadStatus::line) return checked(line);
+        if (status == ReadStatus::ended) return crashed();
+        process_.end();
+        return status == ReadStatus::interrupted ? Reply{Reply::End::interrupted, {}, "interrupted", {}}
+                                                 : silent();
+    }
+
+    void stop(Request request) {
+        request.kind = Request::Kind::stop;
+        process_.write_line(to_line(request));
+        is_stopping_ = true;
+    }
+
+    /// Asked while waiting.
+    bool to_stop() {
+        if (is_waiting_for_launcher()) waiting_.look(last_words());
+        return !is_stopping_ && stopped_ && stopped_();
+    }
+
+    bool is_waiting_for_launcher() const { return !launch_.launcher.empty() && !worker_; }
+
+    milliseconds patience() const { return is_waiting_for_launcher() ? launch_.start_timeout : silence_; }
+
+    Reply silent() const {
+        if (is_waiting_for_launcher())
+            return {Reply::End::not_started, {}, with_last_words(no_start_text(launch_)), {}};
         return {Reply::End::timed_out,
                 {},
-                with_last_words(fmt::format("no sign of life for {:g} s (--timeout)", seconds()))};
+                with_last_words(fmt::format("no sign of life for {:g} s (--timeout)", seconds(silence_))),
+                {}};
     }
 
-    Reply parsed(const std::string& line) {
+    /// An answer of this worker to this request, and to no other.
+    Reply checked(const std::string& line) {
+        Response response;
         try {
-            return {Reply::End::answered, parse_response(line), {}};
+            response = parse_response(line);
         } catch (const std::exception&) {
-            process_.kill();
-            return {Reply::End::crashed,
-                    {},
-                    fmt::format("the worker answered nonsense: \"{}\"", shortened(printable(line), 60))};
+            return nonsense(fmt::format("nonsense: \"{}\"", shortened(printable(line), 60)));
         }
+        const Reply reply{Reply::End::answered, response, {}, {}};
+        if (response.protocol != protocol_version) return reply;  // who else it may be, is not known of it
+        if (response.worker.nonce != nonce_) return nonsense("for another run");
+        if (!worker_) worker_ = response.worker;
+        check_one(*worker_, response.worker);
+        if (response.number != number_)
+            return nonsense(fmt::format("request {} instead of {}", response.number, number_));
+        return reply;
     }
 
-    Reply crashed() { return {Reply::End::crashed, {}, with_last_words(process_.ending())}; }
+    Reply nonsense(const std::string& what) {
+        process_.end();
+        return {Reply::End::crashed, {}, "the worker answered " + what, {}};
+    }
+
+    Reply crashed() { return {Reply::End::crashed, {}, with_last_words(process_.ending()), {}}; }
+
+    std::string last_words() const { return printable(last_line(process_.stderr_tail())); }
 
     std::string with_last_words(const std::string& what) const {
-        const std::string words = printable(last_line(process_.stderr_tail()));
+        const std::string words = last_words();
         return words.empty() ? what : fmt::format("{}: {}", what, words);
     }
 
-    double seconds() const { return static_cast<double>(silence_.count()) / 1000; }
-
     IcdFolder folder_;
+    std::string nonce_;
     WorkerProcess process_;
+    WorkerLaunch launch_;
     milliseconds silence_;
     Stopped stopped_;
+    Waiting waiting_;
+    std::int64_t number_ = 0;
+    bool is_stopping_ = false;
+    std::optional<WorkerIdentity> worker_;  ///< once it has answered
 };
 
 }  // namespace
+
+std::optional<Reply> PartialReply::take(const Response& response) {
+    switch (response.kind) {
+        case Response::Kind::progress:
+            progress_(response);
+            return std::nullopt;
+        case Response::Kind::pixels:
+            picture_.add(response.first_row, response.rgb);
+            return std::nullopt;
+        default:
+            return Reply{Reply::End::answered, response, {}, picture_.taken()};
+    }
+}
 
 OpenChannel process_channels(const WorkerLaunch& launch, milliseconds silence, const Stopped& stopped) {
     return [=](const DeviceInfo& device) {

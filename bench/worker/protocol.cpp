@@ -8,8 +8,9 @@
 namespace ptb {
 namespace {
 
-constexpr const char* request_kinds[] = {"open", "estimate", "run", "round", "peaks"};
-constexpr const char* response_kinds[] = {"ready", "estimate", "progress", "record", "failed", "peaks"};
+constexpr const char* request_kinds[] = {"open", "estimate", "run", "round", "peaks", "render", "stop"};
+constexpr const char* response_kinds[] = {"ready", "estimate", "progress", "record", "failed",
+                                          "peaks", "pixels",   "rendered", "refused"};
 
 template <class Kind, std::size_t N>
 Kind parse_kind(const Json& json, const Where& where, const char* const (&words)[N]) {
@@ -29,27 +30,34 @@ void decode(const Json& json, const Where& where, Response::Kind& kind) {
     kind = parse_kind<Response::Kind>(json, where, response_kinds);
 }
 
+Json encode(const WorkerFacts& facts) { return facts.facts; }
+void decode(const Json& json, const Where& where, WorkerFacts& facts) {
+    if (!json.is_object()) where.refuse(json, "an object");
+    for (const auto& [name, value] : json.items()) decode(value, Where(where, name), facts.facts[name]);
+}
+
 template <>
-inline constexpr auto fields<Request> = std::make_tuple(required("kind", &Request::kind),
-                                                        required("protocol", &Request::protocol),
-                                                        field("measure", &Request::measure),
-                                                        field("params", &Request::params),
-                                                        field("time_left_s", &Request::time_left_s),
-                                                        field("image_file", &Request::image_file),
-                                                        field("samples", &Request::samples));
+inline constexpr auto fields<Request> = std::make_tuple(
+    required("kind", &Request::kind), required("protocol", &Request::protocol),
+    field("number", &Request::number), field("measure", &Request::measure), field("params", &Request::params),
+    field("time_left_s", &Request::time_left_s), field("scene_hash", &Request::scene_hash),
+    field("picture", &Request::picture), field("samples", &Request::samples));
 
 template <>
 inline constexpr auto fields<Response> = std::make_tuple(
     required("kind", &Response::kind), required("protocol", &Response::protocol),
-    field("tool_version", &Response::tool_version), field("ns_per_sample", &Response::ns_per_sample),
-    field("stage", &Response::stage), field("done", &Response::done), field("record", &Response::record),
+    field("number", &Response::number), field("worker", &Response::worker), field("facts", &Response::facts),
+    field("ns_per_sample", &Response::ns_per_sample), field("stage", &Response::stage),
+    field("done", &Response::done), field("record", &Response::record),
+    field("first_row", &Response::first_row), field("rgb", &Response::rgb), field("whole", &Response::whole),
     field("reason", &Response::reason), field("device_failed", &Response::device_failed),
     field("peaks", &Response::peaks));
 
 namespace {
 
 bool of_a_case(const Request& request) {
-    return request.kind != Request::Kind::open && request.kind != Request::Kind::peaks;
+    using Kind = Request::Kind;
+    return request.kind != Kind::open && request.kind != Kind::peaks && request.kind != Kind::stop;
 }
 
 template <class Message>

@@ -1,43 +1,55 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bench/plan/config.h"
 #include "bench/record/record.h"
+#include "bench/worker/identity.h"
 
 namespace ptb {
 
 /// Version of the line protocol between coordinator and worker; a mismatch ends the run with exit code 7.
-inline constexpr int protocol_version = 2;
+inline constexpr int protocol_version = 3;
 
-/// Coordinator to worker, one JSON object a line. The first line is always `open`.
+/// Coordinator to worker, one JSON object a line. The first line is always `open`; `stop` is no request of
+/// its own, but ends the `render` of its number early. A worker whose stdin ends is not wanted any more.
 struct Request {
-    enum class Kind { open, estimate, run, round, peaks };
+    enum class Kind { open, estimate, run, round, peaks, render, stop };
     Kind kind = Kind::open;
     int protocol = protocol_version;
+    std::int64_t number = 0;            ///< counted from 1; the channel sets it
     MeasureOptions measure;             ///< open
-    Case params;                        ///< estimate, run, round
+    Case params;                        ///< estimate, run, round, render
     std::optional<double> time_left_s;  ///< run: what is left of the budget for this case
-    std::string image_file;             ///< run: write the case's picture here, or empty
+    std::string scene_hash;             ///< of the scene's text where the request comes from, or empty
+    bool picture = false;               ///< run: send the timed picture, too
     int samples = 0;                    ///< round: how many
     bool operator==(const Request&) const = default;
 };
 
 /// Worker to coordinator. `open` is answered by `ready` or `failed`; `estimate` by `estimate` or `failed`;
-/// `run` by any number of `progress` and one `record`; `round`, some samples of a case without its warm-up,
-/// too; `peaks` like `run`, but by `peaks` or `failed`. A worker that is alive sends progress at least once a
-/// pass.
+/// `run` by any number of `progress` and `pixels` and one `record`; `round`, some samples of a case without
+/// its warm-up, too; `peaks` like `run`, but by `peaks` or `failed`; `render` by `rendered`, `failed` or, for
+/// what this device cannot do, `refused`. A worker that is alive sends progress at least once a pass, the
+/// first one before it touches a device.
 struct Response {
-    enum class Kind { ready, estimate, progress, record, failed, peaks };
+    enum class Kind { ready, estimate, progress, record, failed, peaks, pixels, rendered, refused };
     Kind kind = Kind::ready;
     int protocol = protocol_version;
-    std::string tool_version;      ///< ready
+    std::int64_t number = 0;  ///< of the request that it answers
+    WorkerIdentity worker;
+    WorkerFacts facts;             ///< ready
     double ns_per_sample = 0;      ///< estimate: device time per pixel sample
-    std::string stage;             ///< progress: "build", "validate", "warmup", "sample"
+    std::string stage;             ///< progress: "open", "build", "validate", "warmup", "sample", "render"
     double done = 0;               ///< progress: share of the stage, 0 to 1
     std::optional<Record> record;  ///< record
-    std::string reason;            ///< failed
+    int first_row = 0;             ///< pixels
+    std::string rgb;               ///< pixels: whole rows of floats in base64
+    bool whole = false;            ///< rendered: it was not stopped
+    std::string reason;            ///< failed, refused
     std::vector<Peak> peaks;       ///< peaks
     bool device_failed =
         false;  ///< an OpenCL call failed: what this worker does from now on is worth nothing

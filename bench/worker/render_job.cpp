@@ -3,14 +3,12 @@
 #include "bench/measure/sampler.h"
 #include "bench/plan/data_dir.h"
 #include "bench/plan/scene_file.h"
-#include "core/image/image_io.h"
 #include "core/input/usage_error.h"
 #include "core/integrator/registry.h"
 
 namespace ptb {
 
-bool render_to_file(const RenderRequest& request, std::function<void(double done)> progress,
-                    const std::atomic<bool>& stop) {
+Rendered render_picture(const RenderRequest& request, const std::function<bool(double done)>& progress) {
     const Case& c = request.params;
     const Scene scene = load_scene(scene_file(c.scene, data_dir()));
     const Integrator& kernel = integrator(c.kernel);
@@ -29,13 +27,8 @@ bool render_to_file(const RenderRequest& request, std::function<void(double done
                                             kernel.options(device, scene, job));
     const auto render = kernel.make(device, program, scene, job);
     PassCutter cutter;
-    const Progress watched = [&](double done) {
-        progress(done);
-        return !stop.load();
-    };
-    timed_render(*render, {cutter, device.info.timer_resolution_ns, watched});
-    write_image(request.output, render->read_film().mean);
-    return render->samples_left() == 0;
+    timed_render(*render, {cutter, device.info.timer_resolution_ns, progress});
+    return {render->read_film().mean, render->samples_left() == 0};
 }
 
 }  // namespace ptb

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <string>
 
 #include "bench/plan/case.h"
+#include "core/image/image.h"
 
 namespace ptb {
 
@@ -13,12 +13,17 @@ namespace ptb {
 struct RenderRequest {
     Case params;  ///< `device` is a key of `probe_devices` in this process
     std::uint64_t seed = 1;
-    std::string kernel_dir, output;  ///< output: .exr, .pfm, .png or .ppm
+    std::string kernel_dir;
 };
 
-/// Renders in this process and writes the file; `stop` ends it early and keeps what is rendered. True when
-/// the picture is whole.
-bool render_to_file(const RenderRequest& request, std::function<void(double done)> progress,
-                    const std::atomic<bool>& stop);
+/// A picture as far as it got.
+struct Rendered {
+    Image image;
+    bool whole = false;
+};
+
+/// Renders in this process; `progress` is told the share that is done, and answers whether to go on. Throws
+/// UsageError for what this device cannot do.
+Rendered render_picture(const RenderRequest& request, const std::function<bool(double done)>& progress);
 
 }  // namespace ptb

@@ -3,11 +3,18 @@
 #include <limits>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "bench/measure/clock.h"
 #include "bench/plan/data_dir.h"
-#include "bench/version.h"
+#include "bench/plan/scene_file.h"
+#include "bench/worker/picture.h"
+#include "bench/worker/render_job.h"
 #include "bench/worker/workbench.h"
+#include "core/input/json.h"
+#include "core/input/usage_error.h"
 #include "core/ocl/error.h"
+#include "core/source/source.h"
 
 namespace ptb {
 
@@ -22,9 +29,34 @@ Response failed(const std::string& reason) {
     return response;
 }
 
+/// Sends an image; what goes wrong with it is seen by the rows that are missing, and costs nothing else.
+void send_pixels(const Image& image, const WorkerSession::Send& send) {
+    try {
+        send_rows(image, [&](int first_row, const std::string& rgb) {
+            Response response;
+            response.kind = Response::Kind::pixels;
+            response.first_row = first_row;
+            response.rgb = rgb;
+            send(response);
+        });
+    } catch (const std::exception&) {
+    }
+}
+
+/// Why the scene of a request is not the one that was meant, or empty.
+std::string other_scene(const Request& request) {
+    if (request.scene_hash.empty()) return {};
+    const std::string& scene = request.params.scene;
+    const std::string hash = text_hash(read_text(scene_file(scene, data_dir())));
+    if (hash == request.scene_hash) return {};
+    return fmt::format("scene {}: found the text {} where the worker is; allowed: {}", scene, hash,
+                       request.scene_hash);
+}
+
 class DeviceSession : public WorkerSession {
   public:
-    explicit DeviceSession(std::string key) : key_(std::move(key)) {}
+    DeviceSession(std::string key, StopAsked stop_asked)
+        : key_(std::move(key)), stop_asked_(std::move(stop_asked)) {}
 
     void answer(const Request& request, const Send& send) override {
         try {
@@ -40,20 +72,25 @@ class DeviceSession : public WorkerSession {
 
   private:
     Response answered(const Request& request, const Send& send) {
-        if (request.kind == Request::Kind::open) return open(request);
+        if (request.kind == Request::Kind::open) return open(request, send);
         if (!bench_) return failed("the first request must be open");
+        const std::string other = other_scene(request);
+        if (!other.empty()) return failed(other);
         if (request.kind == Request::Kind::estimate) return estimate(request);
+        if (request.kind == Request::Kind::render) return render(request, send);
         return request.kind == Request::Kind::peaks ? peaks(send) : measure(request, send);
     }
 
-    Response open(const Request& request) {
+    Response open(const Request& request, const Send& send) {
+        told(send)("open", 0);
         if (request.protocol != protocol_version)
             return failed("protocol " + std::to_string(request.protocol) + ", this worker speaks " +
                           std::to_string(protocol_version));
-        bench_.emplace(key_, request.measure, data_dir());
+        options_ = request.measure;
+        bench_.emplace(key_, options_, data_dir());
         Response response;
         response.kind = Response::Kind::ready;
-        response.tool_version = version::tool;
+        response.facts = facts_here(options_.kernel_dir);
         return response;
     }
 
@@ -85,26 +122,50 @@ class DeviceSession : public WorkerSession {
         return response;
     }
 
+    Response render(const Request& request, const Send& send) {
+        RenderRequest job{request.params, options_.seed, options_.kernel_dir};
+        job.params.device = key_;
+        const auto progress = told(send);
+        Response response;
+        response.kind = Response::Kind::rendered;
+        try {
+            const Rendered rendered = render_picture(job, [&](double done) {
+                progress("render", done);
+                return !stop_asked_(request.number);
+            });
+            send_pixels(rendered.image, send);
+            response.whole = rendered.whole;
+        } catch (const UsageError& error) {
+            response.kind = Response::Kind::refused;
+            response.reason = error.what();
+        }
+        return response;
+    }
+
     Response measure(const Request& request, const Send& send) {
         const auto progress = told(send);
         Response response;
         response.kind = Response::Kind::record;
         const double time_left_s = request.time_left_s.value_or(std::numeric_limits<double>::infinity());
+        Image picture;
         response.record = request.kind == Request::Kind::round
                               ? bench_->round(request.params, request.samples, progress)
-                              : bench_->run(request.params, time_left_s, request.image_file, progress);
+                              : bench_->run(request.params, time_left_s, picture, progress);
+        if (request.picture) send_pixels(picture, send);
         response.device_failed = response.record->status == Status::runtime;
         return response;
     }
 
     std::string key_;
+    StopAsked stop_asked_;
+    MeasureOptions options_;
     std::optional<Workbench> bench_;
 };
 
 }  // namespace
 
-std::unique_ptr<WorkerSession> make_session(const std::string& device_key) {
-    return std::make_unique<DeviceSession>(device_key);
+std::unique_ptr<WorkerSession> make_session(const std::string& device_key, StopAsked stop_asked) {
+    return std::make_unique<DeviceSession>(device_key, std::move(stop_asked));
 }
 
 }  // namespace ptb

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -18,7 +19,10 @@ class WorkerSession {
     virtual void answer(const Request& request, const Send& send) = 0;
 };
 
+/// Whether the request of this number shall end early.
+using StopAsked = std::function<bool(std::int64_t number)>;
+
 /// A session on the device with this key, among the ICDs that this process sees.
-std::unique_ptr<WorkerSession> make_session(const std::string& device_key);
+std::unique_ptr<WorkerSession> make_session(const std::string& device_key, StopAsked stop_asked);
 
 }  // namespace ptb

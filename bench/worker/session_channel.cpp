@@ -11,13 +11,10 @@ class SessionChannel : public Channel {
     explicit SessionChannel(std::unique_ptr<WorkerSession> session) : session_(std::move(session)) {}
 
     Reply request(const Request& request, const Progress& progress) override {
-        Reply reply{Reply::End::crashed, {}, "the session gave no answer"};
+        Reply reply{Reply::End::crashed, {}, "the session gave no answer", {}};
+        PartialReply partial(request, progress);
         session_->answer(request, [&](const Response& response) {
-            if (response.kind == Response::Kind::progress) {
-                progress(response);
-            } else {
-                reply = {Reply::End::answered, response, {}};
-            }
+            if (auto last = partial.take(response)) reply = std::move(*last);
         });
         return reply;
     }
@@ -30,7 +27,8 @@ class SessionChannel : public Channel {
 
 OpenChannel in_process_channels() {
     return [](const DeviceInfo& device) {
-        return std::make_unique<SessionChannel>(make_session(local_key(device.key)));
+        return std::make_unique<SessionChannel>(
+            make_session(local_key(device.key), [](std::int64_t) { return false; }));
     };
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,7 +13,6 @@
 #include "bench/measure/peaks.h"
 #include "bench/plan/scene_file.h"
 #include "bench/validate/validate.h"
-#include "core/image/image_io.h"
 #include "core/oracle/oracle.h"
 
 namespace ptb {
@@ -343,8 +343,8 @@ void Workbench::check_film_of(const Job& job, const Film& film, Validation& vali
     if (!own.valid) fail(validation, "the timed image: " + own.reason);
 }
 
-void Workbench::measure(const Job& job, double time_left_s, const std::string& image_file,
-                        const Stage& progress, Record& record) {
+void Workbench::measure(const Job& job, double time_left_s, Image& picture, const Stage& progress,
+                        Record& record) {
     const std::int64_t uploading = now_ns();
     const auto render = make(job, job.work);
     record.build->upload_ms = seconds_since(uploading) * 1e3;
@@ -358,13 +358,13 @@ void Workbench::measure(const Job& job, double time_left_s, const std::string& i
 
     record.energy = energy_->spent(record.work->samples);
     const std::int64_t reading = now_ns();
-    const Film film = render->read_film();
+    Film film = render->read_film();
     record.build->readback_ms = seconds_since(reading) * 1e3;
     record.work->segments = film.segments;
     record.work->full_length_paths = film.full_length_paths.value_or(0);
     check_film_of(job, film, *record.validation);
     summarize(measurement, record);
-    if (!image_file.empty()) write_image(image_file, film.mean);
+    picture = std::move(film.mean);
 }
 
 /// One pass of the case's work by an instrumented build of its kernel. What goes wrong is a reason.
@@ -390,8 +390,8 @@ Counted Workbench::counted(const Job& job, const Record& record, const Stage& pr
     return none;
 }
 
-void Workbench::attempt(const Job& job, double time_left_s, const std::string& image_file,
-                        const Stage& progress, Record& record) {
+void Workbench::attempt(const Job& job, double time_left_s, Image& picture, const Stage& progress,
+                        Record& record) {
     const std::string unsupported = unsupported_reason(*job.kernel, device_, *job.scene, job.work);
     if (!unsupported.empty()) throw Unsupported(unsupported);
     progress("build", 0);
@@ -403,8 +403,7 @@ void Workbench::attempt(const Job& job, double time_left_s, const std::string& i
     record.build = describe_build(kernel, make(job, one_pixel)->facts());
     record.validation = validated(job, progress);
     if (record.validation->valid) check_launch(job, record);
-    if (record.validation->valid && !options_.skip_time)
-        measure(job, time_left_s, image_file, progress, record);
+    if (record.validation->valid && !options_.skip_time) measure(job, time_left_s, picture, progress, record);
     if (!record.validation->valid)
         conclude(record, Status::invalid, record.validation->reason);
     else if (record.status != Status::unstable)
@@ -412,14 +411,13 @@ void Workbench::attempt(const Job& job, double time_left_s, const std::string& i
     if (options_.count && record.statistics) record.counted = counted(job, record, progress);
 }
 
-Record Workbench::run(const Case& params, double time_left_s, const std::string& image_file,
-                      const Stage& progress) {
+Record Workbench::run(const Case& params, double time_left_s, Image& picture, const Stage& progress) {
     Record record;
     record.params = params;
     try {
         if (!energy_ && !options_.skip_time)
             energy_.emplace(energy_counter(device_.info), steady_s, waiting(progress));
-        attempt(resolve(params), time_left_s, image_file, progress, record);
+        attempt(resolve(params), time_left_s, picture, progress, record);
     } catch (const Unsupported& e) {
         conclude(record, Status::unsupported, e.what());
     } catch (const ocl::BuildError& e) {

@@ -32,8 +32,9 @@ class Workbench {
     Workbench(const std::string& device_key, const MeasureOptions& options,
               std::filesystem::path data_folder);
 
-    /// Runs one case to its record. Never throws for what a device, driver or kernel does.
-    Record run(const Case& params, double time_left_s, const std::string& image_file, const Stage& progress);
+    /// Runs one case to its record; `picture` gets the timed image. Never throws for what a device, driver or
+    /// kernel does.
+    Record run(const Case& params, double time_left_s, Image& picture, const Stage& progress);
 
     /// Some samples of a case that `run` found valid; their film is checked too. Throws what goes wrong.
     Record round(const Case& params, int samples, const Stage& progress);
@@ -56,10 +57,8 @@ class Workbench {
     std::unique_ptr<Render> make(const Job& job, const RenderJob& work);
     const Validation& validated(const Job& job, const Stage& progress);
     void check_launch(const Job& job, Record& record);
-    void attempt(const Job& job, double time_left_s, const std::string& image_file, const Stage& progress,
-                 Record& record);
-    void measure(const Job& job, double time_left_s, const std::string& image_file, const Stage& progress,
-                 Record& record);
+    void attempt(const Job& job, double time_left_s, Image& picture, const Stage& progress, Record& record);
+    void measure(const Job& job, double time_left_s, Image& picture, const Stage& progress, Record& record);
     Measurement take_samples(const Job& job, Render& render, double time_left_s, const Stage& progress,
                              Record& record);
     void summarize(const Measurement& measurement, Record& record) const;

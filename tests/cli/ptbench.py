@@ -74,6 +74,23 @@ class Scratch:
     def files(self):
         return sorted(str(file.relative_to(self.work)) for file in self.work.rglob("*"))
 
+    def processes(self):
+        """Numbers of the processes that were started here, or by one of them, and still run."""
+        def environment(file):
+            try:
+                return file.read_bytes()
+            except OSError:  # another user's, or of one that has just ended
+                return b""
+
+        return [file.parent.name for file in pathlib.Path("/proc").glob("[0-9]*/environ") if str(self.root).encode() in environment(file)]
+
+    def launcher(self, script):
+        """Flags for a launcher; in the bash script "$@" is the worker's command."""
+        file = self.root / "launcher.sh"
+        file.write_text(f"#!/bin/bash\n{script}\n")
+        file.chmod(0o755)
+        return ("--launcher", file)
+
     def temporary_files(self):
         return sorted(file.name for file in (self.root / "tmp").iterdir())
 

@@ -29,6 +29,13 @@ class Dying(FaultTest):
         hit = self.one_of_three(f"hang {BY_EIGHT}", "timeout", words=changed(THREE, timeout=2))
         self.assertEqual(hit["reason"], "no sign of life for 2 s (--timeout)")
 
+    def test_one_that_hangs_behind_a_launcher_is_ended(self):
+        for script in ('"$@"', 'setsid --wait "$@"'):
+            with self.subTest(script):
+                words = [*changed(THREE, timeout=2), *self.scratch.launcher(script)]
+                self.one_of_three(f"hang {BY_EIGHT}", "timeout", words=words)
+                self.assertEqual(self.scratch.processes(), [])
+
     def test_one_that_hangs_while_costs_are_estimated_or_devices_asked_for(self):
         once = self.scratch.root / "once"
         statuses = [r["status"] for r in self.records(f"hang at=1 once={once}", *changed(THREE, timeout=2))]

@@ -1,6 +1,7 @@
 // A worker that speaks the protocol without OpenCL and misbehaves on demand. FAKE_PROBE and FAKE_OPEN say how
 // it answers `--probe` and `open`; the scene of a case says how it answers `run`; FAKE_NS is its estimate.
-// What a behaviour means is the table in `misbehave`.
+// What a behaviour means is the table in `misbehave`. Unlike a real one it stays when its stdin ends while it
+// hangs.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include "bench/worker/picture.h"
 #include "bench/worker/probe.h"
 #include "bench/worker/protocol.h"
 
@@ -26,6 +28,25 @@ std::string variable(const char* name) {
 void say(const std::string& line) {
     std::fputs(line.c_str(), stdout);
     std::fflush(stdout);
+}
+
+/// What follows `flag` in the command line.
+std::string value_of(const std::string& flag, int argc, char** argv) {
+    for (int i = 1; i + 1 < argc; ++i)
+        if (argv[i] == flag) return argv[i + 1];
+    return {};
+}
+
+/// Who answers, and the request being answered.
+struct Answering {
+    WorkerIdentity worker;
+    std::int64_t number = 0;
+} answering;
+
+void answer_with(Response response) {
+    response.worker = answering.worker;
+    response.number = answering.number;
+    say(to_line(response));
 }
 
 void misbehave(const std::string& how) {
@@ -44,10 +65,10 @@ void misbehave(const std::string& how) {
     }
 }
 
-Response progress(double done) {
+Response progress(const std::string& stage, double done) {
     Response response;
     response.kind = Response::Kind::progress;
-    response.stage = "sample";
+    response.stage = stage;
     response.done = done;
     return response;
 }
@@ -55,23 +76,26 @@ Response progress(double done) {
 /// Takes longer than a test's timeout, but is never silent for as long.
 void be_slow() {
     for (int i = 0; i < 10; ++i) {
-        say(to_line(progress(i / 10.0)));
+        answer_with(progress("sample", i / 10.0));
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
 }
 
-void answer_open() {
+void answer_open(const Request& request) {
     const std::string how = variable("FAKE_OPEN");
+    answer_with(progress("open", 0));
     misbehave(how);
     Response response;
-    response.tool_version = "0.0";
+    response.facts = facts_here(request.measure.kernel_dir);
+    if (how == "other-build") response.facts.facts["ptbench"] = "0.0 of long ago";
+    if (how == "other-kernel") response.facts.facts["kernel pt"] = "0123456789abcdef";
     if (how == "refuse-protocol") response.protocol = protocol_version - 1;
     if (how.starts_with("refuse")) {
         response.kind = Response::Kind::failed;
         response.reason = "no such device";
     }
     if (how == "other-protocol") response.protocol = protocol_version + 1;
-    say(to_line(response));
+    answer_with(response);
 }
 
 void answer_estimate(const Request& request) {
@@ -80,12 +104,27 @@ void answer_estimate(const Request& request) {
     response.kind = Response::Kind::estimate;
     const std::string ns = variable("FAKE_NS");
     response.ns_per_sample = ns.empty() ? 1000 : std::stod(ns);
-    say(to_line(response));
+    answer_with(response);
+}
+
+/// A picture whose every number is the case's SPP; half of it in the scene "torn-picture".
+void send_picture(const Case& c) {
+    Image image{c.size, std::vector<float>(3 * c.size.pixels(), static_cast<float>(c.spp))};
+    if (c.scene == "torn-picture") image.size.height /= 2;
+    send_rows(image, [](int first_row, const std::string& rgb) {
+        Response response;
+        response.kind = Response::Kind::pixels;
+        response.first_row = first_row;
+        response.rgb = rgb;
+        answer_with(response);
+    });
 }
 
 void answer_run(const Request& request) {
     misbehave(request.params.scene);
     if (request.params.scene == "slow") be_slow();
+    if (request.params.scene == "stale") --answering.number;
+    if (request.picture) send_picture(request.params);
     Response response;
     response.kind = Response::Kind::record;
     response.record.emplace();
@@ -96,9 +135,11 @@ void answer_run(const Request& request) {
     response.record->statistics.emplace();
     response.record->statistics->n = ::getpid();  // lets a test see which process answered
     response.record->statistics->max_ns = request.time_left_s.value_or(-1);
-    response.record->statistics->timer_reason = request.image_file;
+    response.record->work.emplace();
+    response.record->work->segments = 1;
+    if (request.params.scene == "other-case") ++response.record->params.spp;
     if (request.params.scene.ends_with("by-host")) response.record->statistics->timer = "host";
-    say(to_line(response));
+    answer_with(response);
 }
 
 /// Each sample takes 1 ms by the device's clock, 2 % more in the scene "slower"; some by no clock at all.
@@ -116,7 +157,7 @@ void answer_round(const Request& request) {
     if (scene == "slow-by-host") sample.host_ns = 6'000'000;
     if (scene == "faulty-timer") sample.cause = "timer_fault";
     response.record->samples.assign(static_cast<std::size_t>(request.samples), sample);
-    say(to_line(response));
+    answer_with(response);
 }
 
 void answer_peaks() {
@@ -124,13 +165,13 @@ void answer_peaks() {
     Response response;
     response.kind = Response::Kind::peaks;
     response.peaks = {{"fma", "GFLOP/s", 100, 99, 101, 10, "event", ""}};
-    say(to_line(response));
+    answer_with(response);
 }
 
 void answer(const Request& request) {
     switch (request.kind) {
         case Request::Kind::open:
-            return answer_open();
+            return answer_open(request);
         case Request::Kind::estimate:
             return answer_estimate(request);
         case Request::Kind::run:
@@ -139,10 +180,14 @@ void answer(const Request& request) {
             return answer_round(request);
         case Request::Kind::peaks:
             return answer_peaks();
+        case Request::Kind::render:
+        case Request::Kind::stop:
+            return;
     }
 }
 
 int answer_probe() {
+    say(started_line(answering.worker));
     misbehave(variable("FAKE_PROBE"));
     DeviceInfo device;
     device.key = "fake:0";
@@ -156,7 +201,12 @@ int answer_probe() {
 }  // namespace
 
 int main(int argc, char** argv) {
+    answering.worker = this_worker(value_of("--nonce", argc, argv));
     if (argc > 2 && std::string(argv[2]) == "--probe") return answer_probe();
-    for (std::string line; std::getline(std::cin, line);) answer(parse_request(line));
+    for (std::string line; std::getline(std::cin, line);) {
+        const Request request = parse_request(line);
+        answering.number = request.number;
+        answer(request);
+    }
     return 0;
 }

@@ -1,8 +1,13 @@
 #include "bench/worker/coordinator.h"
 
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+#include <unistd.h>
 
 #include "tests/support/variable.h"
 
@@ -218,12 +223,84 @@ TEST(coordinator, a_used_up_budget_skips_what_has_no_forecast_too) {
     EXPECT_EQ(records[0].reason, "the budget of 10 s is used up (--max-total-time)");
 }
 
-TEST(coordinator, the_picture_is_asked_for_the_planned_case_only) {
-    RunPlan plan = plan_of({make_case("good", 1), make_case("good", 2)});
-    plan.image_files[plan.cases[1]] = "out/fake.png";
-    const auto records = run(plan, fake_channels());
-    EXPECT_EQ(records[0].statistics->timer_reason, "");
-    EXPECT_EQ(records[1].statistics->timer_reason, "out/fake.png");
+/// A plan whose last case writes its picture, and what becomes of it.
+struct Pictured {
+    std::string file = testing::TempDir() + "ptb-picture-" + std::to_string(::getpid()) + ".pfm";
+    std::vector<Record> records;
+    std::vector<std::string> remarks;
+
+    ~Pictured() { std::filesystem::remove(file); }
+    void run(std::vector<Case> cases) {
+        RunPlan plan = plan_of(std::move(cases));
+        plan.image_files[plan.cases.back()] = file;
+        Coordinator coordinator(plan, fake_channels(), never());
+        records = coordinator.run(Forecast(plan.measure), {});
+        remarks = coordinator.remarks();
+    }
+};
+
+TEST(coordinator, the_planned_case_leaves_its_picture_and_no_other) {
+    Pictured pictured;
+    pictured.run({make_case("good", 1), make_case("good", 2)});
+    EXPECT_EQ(statuses(pictured.records), (std::vector{Status::ok, Status::ok}));
+    EXPECT_TRUE(pictured.remarks.empty());
+    std::ifstream in(pictured.file, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    ASSERT_GE(bytes.size(), 3U * 100 * 100 * sizeof(float));
+    float last = 0;
+    std::memcpy(&last, bytes.data() + bytes.size() - sizeof last, sizeof last);
+    EXPECT_EQ(last, 2) << "the picture is of another case";
+}
+
+TEST(coordinator, a_picture_that_cannot_be_written_costs_no_time) {
+    Pictured pictured;
+    pictured.file = "/proc/no/such/folder.pfm";
+    pictured.run({make_case("good")});
+    EXPECT_EQ(statuses(pictured.records), std::vector{Status::ok});
+    EXPECT_TRUE(pictured.records[0].statistics);
+    ASSERT_EQ(pictured.remarks.size(), 1U);
+    EXPECT_THAT(pictured.remarks[0], testing::HasSubstr("no picture of fake:0: "));
+    EXPECT_THAT(pictured.remarks[0], testing::HasSubstr("/proc/no/such/folder.pfm"));
+}
+
+TEST(coordinator, a_picture_that_does_not_arrive_costs_no_time) {
+    Pictured pictured;
+    pictured.run({make_case("torn-picture")});
+    EXPECT_EQ(statuses(pictured.records), std::vector{Status::ok});
+    EXPECT_EQ(pictured.remarks, std::vector<std::string>{"no picture of fake:0: it did not arrive whole"});
+    EXPECT_FALSE(std::filesystem::exists(pictured.file));
+}
+
+TEST(coordinator, an_answer_to_something_else_is_no_time) {
+    EXPECT_EQ(reason_of("stale"), "the worker answered request 1 instead of 2");
+    EXPECT_EQ(reason_of("other-case"), "the worker answered for another case");
+    const auto records =
+        run(plan_of({make_case("stale"), make_case("other-case"), make_case("good")}), fake_channels());
+    EXPECT_EQ(statuses(records), (std::vector{Status::crash, Status::crash, Status::ok}));
+}
+
+std::string mismatch(const std::string& how) {
+    const Variable open("FAKE_OPEN", how);
+    try {
+        run(plan_of({make_case("good")}), fake_channels());
+    } catch (const VersionMismatch& error) {
+        return error.what();
+    }
+    return "none";
+}
+
+TEST(coordinator, a_worker_of_another_build_ends_the_run) {
+    EXPECT_THAT(mismatch("other-build"), testing::HasSubstr("ptbench (there 0.0 of long ago, here "));
+    EXPECT_THAT(mismatch("other-kernel"), testing::HasSubstr("kernel pt (there 0123456789abcdef, here "));
+}
+
+TEST(coordinator, a_device_without_a_worker_is_remarked) {
+    const Variable open("FAKE_OPEN", "refuse");
+    Coordinator coordinator(plan_of({make_case("good")}), fake_channels(), never());
+    EXPECT_FALSE(coordinator.has_given_up());
+    coordinator.run(Forecast(MeasureOptions()), {});
+    EXPECT_TRUE(coordinator.has_given_up());
+    EXPECT_EQ(coordinator.remarks(), std::vector<std::string>{"fake:0 cannot be opened: no such device"});
 }
 
 TEST(coordinator, observers_hear_of_each_case) {

@@ -25,14 +25,6 @@ TEST(Html, what_is_filled_in_is_not_filled_again) {
     EXPECT_EQ(filled("a @X@ @Y@ @Z@ b@", {{"X", "@Y@"}, {"Y", "2"}}), "a @Y@ 2 @Z@ b@");
 }
 
-TEST(Html, base64_is_that_of_rfc_4648) {
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("f"), "Zg==");
-    EXPECT_EQ(base64("fo"), "Zm8=");
-    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(base64(std::string("\xff\xfe\0", 3)), "//4A");
-}
-
 TEST(Html, tables_are_tables_with_captions_headings_and_links) {
     Grid grid{{{"device"}, {"ms", true}}, {{"<H200>", "10"}, {"FX", "2"}}};
     grid.best = {1};

@@ -131,9 +131,11 @@ TEST(probe, keys_are_unique_and_lead_back_to_the_drivers_own) {
 TEST(probe, the_launcher_comes_first) {
     const IcdFolder folder({"x.icd", "libx.so"});
     const ChildCommand command =
-        worker_command({"/bin/ptbench", {"srun", "-w", "node7"}}, folder, {"--probe"});
-    EXPECT_EQ(command.argv,
-              (std::vector<std::string>{"srun", "-w", "node7", "/bin/ptbench", "worker", "--probe"}));
+        worker_command({"/bin/ptbench", {"srun", "-w", "node7"}}, folder, "5f", {"--probe"});
+    EXPECT_EQ(command.argv, (std::vector<std::string>{"srun", "-w", "node7", "/bin/ptbench", "worker",
+                                                      "--probe", "--nonce", "5f"}));
+    EXPECT_EQ(command.nonce, "5f");
+    EXPECT_TRUE(command.by_launcher);
 }
 
 }  // namespace

@@ -15,7 +15,9 @@ Request run_request() {
     request.kind = Request::Kind::run;
     request.params = {"pocl:0", "pt", "thesis", {64, 32}, 4, 5, {16, 16}, 8};
     request.time_left_s = 1.5;
-    request.image_file = "a \"b\"\n.png";
+    request.number = 7;
+    request.scene_hash = "9f86d081884c7d65";
+    request.picture = true;
     return request;
 }
 
@@ -25,9 +27,12 @@ TEST(Protocol, requests_survive_the_line) {
     Request estimate = run_request();
     estimate.kind = Request::Kind::estimate;
     estimate.time_left_s.reset();
-    Request peaks;
+    Request peaks, render = run_request(), stop;
     peaks.kind = Request::Kind::peaks;
-    for (const Request& request : {open, run_request(), estimate, peaks}) {
+    render.kind = Request::Kind::render;
+    stop.kind = Request::Kind::stop;
+    stop.number = 7;
+    for (const Request& request : {open, run_request(), estimate, peaks, render, stop}) {
         const auto line = to_line(request);
         EXPECT_THAT(line, EndsWith("}\n"));
         EXPECT_EQ(line.find('\n'), line.size() - 1) << "a message is one line";
@@ -38,7 +43,9 @@ TEST(Protocol, requests_survive_the_line) {
 
 TEST(Protocol, responses_survive_the_line) {
     Response ready, progress, failed, done;
-    ready.tool_version = "0.1.0";
+    ready.number = 7;
+    ready.worker = {"5f", "node \"7\"", 1234567890123, "a0"};
+    ready.facts.facts = {{"ptbench", "0.1.0 4fd1c2"}, {"kernel pt", "9f86d081884c7d65"}};
     progress.kind = Response::Kind::progress;
     progress.stage = "sample";
     progress.done = 0.25;
@@ -52,7 +59,16 @@ TEST(Protocol, responses_survive_the_line) {
     Response peaks;
     peaks.kind = Response::Kind::peaks;
     peaks.peaks = {{"fma", "GFLOP/s", 100, 99, 101, 10, "event", ""}, {"sqrt", "", {}, {}, {}, 0, "", "no"}};
-    for (const Response& response : {ready, progress, failed, done, estimate, peaks})
+    Response pixels, rendered, refused;
+    pixels.kind = Response::Kind::pixels;
+    pixels.first_row = 12;
+    pixels.rgb = "AAAA";
+    rendered.kind = Response::Kind::rendered;
+    rendered.whole = true;
+    refused.kind = Response::Kind::refused;
+    refused.reason = "too large";
+    for (const Response& response :
+         {ready, progress, failed, done, estimate, peaks, pixels, rendered, refused})
         EXPECT_EQ(parse_response(to_line(response)), response);
 }
 

@@ -40,7 +40,4 @@ std::string html_facts(const Json& json);
 std::string filled(std::string_view text,
                    const std::vector<std::pair<std::string_view, std::string>>& values);
 
-/// Bytes as base64.
-std::string base64(std::string_view bytes);
-
 }  // namespace ptb

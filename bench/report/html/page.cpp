@@ -9,6 +9,7 @@
 #include "bench/report/html/packed.h"
 #include "bench/report/html/parts.h"
 #include "bench/report/sections.h"
+#include "core/input/base64.h"
 
 namespace ptb {
 namespace {
