@@ -21,7 +21,7 @@ std::string host_name() {
 
 std::string hash_of(const Integrator& kernel, const std::string& kernel_dir) {
     try {
-        return kernel_source(kernel.file, kernel_dir).hash;
+        return kernel_source(kernel.file(), kernel_dir).hash;
     } catch (const SourceError&) {
         return "not whole";
     }
