@@ -166,6 +166,10 @@ void check_neighbours(Validation& validation, const FilmEvidence& evidence, cons
 
 }  // namespace
 
+FilmEvidence evidence_of(const Film& film, const RenderJob& job) {
+    return {film, job.size, job.spp, job.path_length};
+}
+
 void fail(Validation& validation, const std::string& reason) {
     if (validation.valid) validation.reason = reason;
     validation.valid = false;

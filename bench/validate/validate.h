@@ -26,6 +26,7 @@ struct FilmEvidence {
     int spp = 1;
     int path_length = 1;
 };
+FilmEvidence evidence_of(const Film& film, const RenderJob& job);
 
 /// Checks what needs no reference: every value finite and not negative, no sample lost or made up, between
 /// one and path_length segments a sample.
