@@ -33,6 +33,7 @@ Film read_back(Render& render, Record& record) {
     Film film = render.read_film();
     record.build->readback_ms = seconds_since(begin) * 1e3;
     record.work->segments = film.segments;
+    record.work->shadow_rays = film.shadow_rays;
     record.work->full_length_paths = film.full_length_paths.value_or(0);
     return film;
 }

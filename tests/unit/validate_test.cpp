@@ -126,6 +126,9 @@ TEST(Validate, the_same_work_has_the_same_bits_and_counts) {
     other = film(4, 0.25);
     other.segments += 1;
     EXPECT_FALSE(same(other).valid);
+    other = film(4, 0.25);
+    other.shadow_rays += 1;
+    EXPECT_FALSE(same(other).valid);
 }
 
 }  // namespace
