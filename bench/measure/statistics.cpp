@@ -52,4 +52,13 @@ Statistics describe_times(std::span<const double> times_ns) {
     return s;
 }
 
+void add_rates(Statistics& statistics, const Work& work) {
+    const auto millions_per_s = [&](std::uint64_t count) {
+        return static_cast<double>(count) / statistics.median_ns * 1e3;
+    };
+    statistics.msamples_per_s = millions_per_s(work.samples);
+    statistics.msegments_per_s = millions_per_s(work.segments);
+    if (work.shadow_rays > 0) statistics.mrays_per_s = millions_per_s(work.segments + work.shadow_rays);
+}
+
 }  // namespace ptb

@@ -19,4 +19,7 @@ double quantile(std::span<const double> sorted, double p);
 /// Median, spread and range of times in ns; n == 0 gives zeros.
 Statistics describe_times(std::span<const double> times_ns);
 
+/// Adds how much of a render's work was done a second, by the median.
+void add_rates(Statistics& statistics, const Work& work);
+
 }  // namespace ptb

@@ -93,6 +93,15 @@ void add_pass(TimeSample& sample, std::span<const LaunchTimes> launches, std::in
     }
 }
 
+std::optional<double> overlap_of(std::span<const TimeSample> samples) {
+    double sum_ns = 0, covered_ns = 0;
+    for (const TimeSample& sample : samples) {
+        sum_ns += static_cast<double>(sample.sum_ns);
+        covered_ns += static_cast<double>(sample.kernel_ns);
+    }
+    return sum_ns > 0 ? std::optional(std::max(0.0, 1 - covered_ns / sum_ns)) : std::nullopt;
+}
+
 TimerWatch::TimerWatch(std::string asked) : asked_(std::move(asked)) {}
 
 void TimerWatch::restart() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -36,6 +37,9 @@ std::uint64_t tick_ns(std::span<const LaunchTimes> launches, std::uint64_t so_fa
 
 /// Adds one pass to a sample: times of its launches, and the host's.
 void add_pass(TimeSample& sample, std::span<const LaunchTimes> launches, std::int64_t host_ns);
+
+/// Share of the launches' own times that ran beside another's, over all samples; nothing without times.
+std::optional<double> overlap_of(std::span<const TimeSample> samples);
 
 /// What the timer's rules found in one sample.
 struct TimerEvidence {

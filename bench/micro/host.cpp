@@ -35,7 +35,7 @@ Reference noisy_reference() {
 void validate_film(benchmark::State& state) {
     const Reference reference = noisy_reference();
     const std::uint64_t samples = film_size.pixels() * film_spp;
-    const Film film{reference.mean, reference.variance, samples, 3 * samples, 0};
+    const Film film{reference.mean, reference.variance, samples, 3 * samples, 0, 0};
     const FilmEvidence evidence{film, film_size, film_spp, 5};
     for (auto _ : state) {
         Validation validation = check_film(evidence);

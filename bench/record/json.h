@@ -10,12 +10,12 @@ namespace ptb {
 // nlohmann/json looks for, `Json json = x` and `json.get<X>()`. Optional values that are absent are null.
 
 template <>
-inline constexpr auto fields<Work> =
-    std::make_tuple(field("samples", &Work::samples), field("segments", &Work::segments),
-                    field("full_length_paths", &Work::full_length_paths), field("lanes", &Work::lanes),
-                    field("renders", &Work::renders), field("passes", &Work::passes),
-                    field("longest_launch_ns", &Work::longest_launch_ns),
-                    field("device_bytes", &Work::device_bytes), field("overlap", &Work::overlap));
+inline constexpr auto fields<Work> = std::make_tuple(
+    field("samples", &Work::samples), field("segments", &Work::segments),
+    field("shadow_rays", &Work::shadow_rays), field("full_length_paths", &Work::full_length_paths),
+    field("lanes", &Work::lanes), field("renders", &Work::renders), field("passes", &Work::passes),
+    field("longest_launch_ns", &Work::longest_launch_ns), field("device_bytes", &Work::device_bytes),
+    field("overlap", &Work::overlap));
 
 template <>
 inline constexpr auto fields<Build> = std::make_tuple(
@@ -48,7 +48,7 @@ inline constexpr auto fields<Statistics> = std::make_tuple(
     field("q3_ns", &Statistics::q3_ns), field("ci_low_ns", &Statistics::ci_low_ns),
     field("ci_high_ns", &Statistics::ci_high_ns), field("stop_reason", &Statistics::stop_reason),
     field("msamples_per_s", &Statistics::msamples_per_s),
-    field("msegments_per_s", &Statistics::msegments_per_s));
+    field("msegments_per_s", &Statistics::msegments_per_s), field("mrays_per_s", &Statistics::mrays_per_s));
 
 template <>
 inline constexpr auto fields<Validation> = std::make_tuple(

@@ -15,8 +15,9 @@ enum class Status { ok, invalid, unsupported, skipped, compile, runtime, timeout
 
 /// The work a case did, counted.
 struct Work {
-    std::uint64_t samples = 0;   ///< width x height x spp
-    std::uint64_t segments = 0;  ///< path segments traced, counted by the kernel
+    std::uint64_t samples = 0;      ///< width x height x spp
+    std::uint64_t segments = 0;     ///< path segments traced, counted by the kernel
+    std::uint64_t shadow_rays = 0;  ///< traced beside them, to lamps
     std::uint64_t full_length_paths = 0;
     int lanes = 1;    ///< lane width that ran
     int renders = 1;  ///< full renders in one sample of time; more than one where the timer is coarse
@@ -67,6 +68,7 @@ struct Statistics {
     std::optional<double> ci_low_ns, ci_high_ns;  ///< exact 95 % interval of the median; absent for small n
     std::string stop_reason;  ///< "precision", "max_time", "max_samples", "max_total_time", "low_n"
     double msamples_per_s = 0, msegments_per_s = 0;
+    std::optional<double> mrays_per_s;  ///< segments and shadow rays, where there are any of these
     bool operator==(const Statistics&) const = default;
 };
 

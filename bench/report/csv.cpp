@@ -154,6 +154,7 @@ const Columns& statistics_columns() {
         {"stop_reason", of_statistics([](S s) { return text(s.stop_reason); })},
         {"msamples_per_s", of_statistics([](S s) { return real(s.msamples_per_s, 6); })},
         {"msegments_per_s", of_statistics([](S s) { return real(s.msegments_per_s, 6); })},
+        {"mrays_per_s", of_statistics([](S s) { return s.mrays_per_s ? real(*s.mrays_per_s, 6) : ""; })},
     };
     return columns;
 }
@@ -171,6 +172,7 @@ const Columns& other_columns() {
     static const Columns columns = {
         {"samples", of_work([](const Work& w) { return std::to_string(w.samples); })},
         {"segments", of_work([](const Work& w) { return std::to_string(w.segments); })},
+        {"shadow_rays", of_work([](const Work& w) { return std::to_string(w.shadow_rays); })},
         {"lanes_run", of_work([](const Work& w) { return std::to_string(w.lanes); })},
         {"renders", of_work([](const Work& w) { return std::to_string(w.renders); })},
         {"passes", of_work([](const Work& w) { return std::to_string(w.passes); })},

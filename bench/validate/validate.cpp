@@ -28,8 +28,17 @@ double z_score(double value, double expected, double variance) {
     return same ? 0 : std::numeric_limits<double>::infinity();
 }
 
-/// Variance of the difference of two means of n and m samples.
-double difference_variance(double variance, double n, double m) { return variance * (1 / n + 1 / m); }
+/// Variance of the difference of two means of n and m samples, of which the first n vary by `excess` more.
+double difference_variance(double variance, double n, double m, double excess = 0) {
+    return variance * (1 / n + 1 / m) + excess / n;
+}
+
+/// Variance of one sample of the film. Paths that roulette spares weigh more than the reference's: the film
+/// knows how its own samples vary.
+const Image& film_variance(const FilmEvidence& evidence, const Reference& reference) {
+    const bool other = evidence.roulette != Roulette::off && evidence.film.variance;
+    return other ? *evidence.film.variance : reference.variance;
+}
 
 double samples_of(Size size, int spp) { return static_cast<double>(size.pixels()) * spp; }
 
@@ -44,6 +53,10 @@ bool same_shape(Size a, Size b) {
     return static_cast<std::int64_t>(a.width) * b.height == static_cast<std::int64_t>(b.width) * a.height;
 }
 
+bool same_lengths(const FilmEvidence& evidence, const Reference& reference) {
+    return evidence.roulette == Roulette::off && same_shape(evidence.size, reference.size);
+}
+
 /// Image mean, worst channel. Pixels of equal shape cover the same field of view whatever their number.
 void check_mean(Validation& validation, const FilmEvidence& evidence, const Reference& reference,
                 double limit) {
@@ -51,10 +64,12 @@ void check_mean(Validation& validation, const FilmEvidence& evidence, const Refe
     const auto mean = channel_means(evidence.film.mean);
     const auto expected = channel_means(reference.mean);
     const auto variance = channel_means(reference.variance);
+    const auto of_film = channel_means(film_variance(evidence, reference));
     const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
     double worst = 0;
     for (std::size_t c = 0; c < 3; ++c) {
-        const double z = z_score(mean[c], expected[c], difference_variance(variance[c], n, m));
+        const double excess = std::max(of_film[c] - variance[c], 0.0);
+        const double z = z_score(mean[c], expected[c], difference_variance(variance[c], n, m, excess));
         if (std::abs(z) > std::abs(worst)) worst = z;
         if (std::abs(z) > limit)
             fail(validation,
@@ -67,7 +82,7 @@ void check_mean(Validation& validation, const FilmEvidence& evidence, const Refe
 
 void check_segments(Validation& validation, const FilmEvidence& evidence, const Reference& reference,
                     double limit) {
-    if (!same_shape(evidence.size, reference.size)) return;
+    if (!same_lengths(evidence, reference)) return;
     const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
     const double z = z_score(validation.segments_per_sample, reference.segments_per_sample,
                              difference_variance(reference.segments_variance, n, m));
@@ -98,7 +113,7 @@ double rare_z(double found, double there, double share) {
 
 void check_full_length(Validation& validation, const FilmEvidence& evidence, const Reference& reference,
                        double limit) {
-    if (!evidence.film.full_length_paths || !same_shape(evidence.size, reference.size)) return;
+    if (!evidence.film.full_length_paths || !same_lengths(evidence, reference)) return;
     const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
     const double share = static_cast<double>(*evidence.film.full_length_paths) / n;
     const double expected = reference.full_length_share;
@@ -115,22 +130,26 @@ void check_full_length(Validation& validation, const FilmEvidence& evidence, con
                          100 * share, 100 * expected, z));
 }
 
-/// Pixel blocks of a film, of its reference, and of the reference's variance.
+/// Pixel blocks of a film, of its reference, and of the variances of both.
 struct BlockFamily {
     int edge = 1;
-    Blocks found, expected, variance;
+    Blocks found, expected, variance, of_film;
 
     BlockFamily(const FilmEvidence& evidence, const Reference& reference, int block)
         : edge(block),
           found(block_means(evidence.film.mean, block)),
           expected(block_means(reference.mean, block)),
-          variance(block_means(reference.variance, block)) {}
+          variance(block_means(reference.variance, block)),
+          of_film(block_means(film_variance(evidence, reference), block)) {}
+
+    double excess(std::size_t i) const { return std::max(of_film.rgb[i] - variance.rgb[i], 0.0); }
 
     /// How many hits of the light this block's mean is worth: light is hit rarely, and a sum of few hits is
     /// not Gaussian.
     double hits(std::size_t i, int spp) const {
-        if (variance.rgb[i] == 0) return std::numeric_limits<double>::infinity();
-        return expected.rgb[i] * expected.rgb[i] / variance.rgb[i] * found.pixels[i / 3] * spp;
+        const double of_sample = variance.rgb[i] + excess(i);
+        if (of_sample == 0) return std::numeric_limits<double>::infinity();
+        return expected.rgb[i] * expected.rgb[i] / of_sample * found.pixels[i / 3] * spp;
     }
     bool gaussian(std::size_t i, int spp) const { return hits(i, spp) >= block_hits; }
     bool mostly_gaussian(int spp) const {
@@ -153,9 +172,9 @@ void check_blocks(Validation& validation, const FilmEvidence& evidence, const Re
         if (!blocks.gaussian(i, spp)) continue;
         const double pixels = blocks.found.pixels[i / 3];
         const double found = blocks.found.rgb[i], expected = blocks.expected.rgb[i];
-        const double z = z_score(
-            found, expected,
-            difference_variance(blocks.variance.rgb[i], pixels * evidence.spp, pixels * reference.spp));
+        const double z = z_score(found, expected,
+                                 difference_variance(blocks.variance.rgb[i], pixels * evidence.spp,
+                                                     pixels * reference.spp, blocks.excess(i)));
         worst = std::max(worst, std::abs(z));
         const int block = static_cast<int>(i / 3);
         if (std::abs(z) > limit)
@@ -187,6 +206,10 @@ void check_neighbours(Validation& validation, const FilmEvidence& evidence, cons
 }
 
 }  // namespace
+
+FilmEvidence evidence_of(const Film& film, const RenderJob& job) {
+    return {film, job.size, job.spp, job.path_length, job.variant.roulette};
+}
 
 void fail(Validation& validation, const std::string& reason) {
     if (validation.valid) validation.reason = reason;
@@ -240,7 +263,8 @@ void check_same_bits(Validation& validation, const Film& film, const Film& other
     const auto& a = film.mean.rgb;
     const auto& b = other.mean.rgb;
     const bool same = a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
-    if (!same || film.segments != other.segments) fail(validation, "the same work gave other bits: " + what);
+    const bool same_work = film.segments == other.segments && film.shadow_rays == other.shadow_rays;
+    if (!same || !same_work) fail(validation, "the same work gave other bits: " + what);
 }
 
 }  // namespace ptb

@@ -8,8 +8,8 @@
 #include "bench/plan/config.h"
 #include "bench/plan/data_dir.h"
 #include "bench/plan/scene_file.h"
+#include "bench/workbench/case_job.h"
 #include "core/input/usage_error.h"
-#include "core/integrator/registry.h"
 
 namespace ptb {
 namespace {
@@ -34,18 +34,6 @@ struct Workshop {
         return kernel.make(device, program, scene, job);
     }
 };
-
-RenderJob job_of(const RenderRequest& request, const Workshop& workshop) {
-    const Case& c = request.params;
-    return {c.size,
-            c.spp,
-            c.path_length,
-            static_cast<std::uint32_t>(request.seed),
-            c.lanes == 0 ? default_lanes(workshop.kernel, workshop.device.info) : c.lanes,
-            c.work_group.x,
-            c.work_group.y,
-            c.variant};
-}
 
 /// Of a small render, the second: the first may compile.
 double seconds_per_sample(const Workshop& workshop, RenderJob job) {
@@ -76,7 +64,7 @@ RenderJob endless(RenderJob job, double time_s, double seconds_per_sample) {
 Rendered render_picture(const RenderRequest& request, const std::function<bool(double done)>& progress) {
     const Workshop workshop{integrator(request.params.kernel), ocl::open_device(request.params.device),
                             load_scene(scene_file(request.params.scene, data_dir())), request.kernel_dir};
-    RenderJob job = job_of(request, workshop);
+    RenderJob job = render_job(request.params, workshop.kernel, workshop.device.info, request.seed);
     if (request.time_s) job = endless(job, *request.time_s, seconds_per_sample(workshop, job));
     const auto render = workshop.make(job);
     PassCutter cutter;

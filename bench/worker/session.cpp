@@ -8,9 +8,9 @@
 #include "bench/measure/clock.h"
 #include "bench/plan/data_dir.h"
 #include "bench/plan/scene_file.h"
+#include "bench/workbench/workbench.h"
 #include "bench/worker/picture.h"
 #include "bench/worker/render_job.h"
-#include "bench/worker/workbench.h"
 #include "core/input/json.h"
 #include "core/input/usage_error.h"
 #include "core/ocl/error.h"
@@ -101,7 +101,7 @@ class DeviceSession : public WorkerSession {
         return response;
     }
 
-    static Workbench::Stage told(const Send& send) {
+    static Stage told(const Send& send) {
         return [send, last_stage = std::string(), last_ns = std::int64_t{0}](const std::string& stage,
                                                                              double done) mutable {
             if (stage == last_stage && seconds_since(last_ns) < quiet_s) return;
@@ -144,16 +144,19 @@ class DeviceSession : public WorkerSession {
         return response;
     }
 
+    CaseResult measured(const Request& request, const Stage& stage) {
+        if (request.kind == Request::Kind::round)
+            return {bench_->round(request.params, request.samples, stage)};
+        const double time_left_s = request.time_left_s.value_or(std::numeric_limits<double>::infinity());
+        return bench_->run(request.params, time_left_s, stage);
+    }
+
     Response measure(const Request& request, const Send& send) {
-        const auto progress = told(send);
+        CaseResult result = measured(request, told(send));
+        if (request.picture) send_pixels(result.picture, send);
         Response response;
         response.kind = Response::Kind::record;
-        const double time_left_s = request.time_left_s.value_or(std::numeric_limits<double>::infinity());
-        Image picture;
-        response.record = request.kind == Request::Kind::round
-                              ? bench_->round(request.params, request.samples, progress)
-                              : bench_->run(request.params, time_left_s, picture, progress);
-        if (request.picture) send_pixels(picture, send);
+        response.record = std::move(result.record);
         response.device_failed = response.record->status == Status::runtime;
         return response;
     }

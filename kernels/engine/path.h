@@ -75,10 +75,10 @@ static inline lanes_f chance_to_go_on(const Surface* surface) {
 #endif
 }
 
-/* A number of those that go on. */
+/* A number of those that go on. Of a surface that reflects nothing none do, and what they weigh stays a number. */
 static inline lanes_f over_chance(lanes_f x, lanes_f chance) {
 #ifdef ENGINE_ROULETTE
-    return x / chance;
+    return x / lanes_max(chance, (lanes_f)(1e-20f));
 #else
     (void)chance;
     return x;

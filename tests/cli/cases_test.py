@@ -41,6 +41,17 @@ class Limits(CliTest):
 
 
 class Kernels(CliTest):
+    def test_shadow_rays_are_counted_beside_segments(self):
+        for kernel, asks_lamps in (("pt", False), ("pt_nee", True)):
+            record = self.only_case(*changed(ONE, kernel=kernel))
+            work, statistics = record["work"], record["statistics"]
+            self.assertEqual(work["shadow_rays"] > 0, asks_lamps)
+            if asks_lamps:
+                rays_a_segment = (work["segments"] + work["shadow_rays"]) / work["segments"]
+                self.assertAlmostEqual(statistics["mrays_per_s"] / statistics["msegments_per_s"], rays_a_segment)
+            else:
+                self.assertIsNone(statistics["mrays_per_s"])
+
     def test_a_kernel_that_does_not_compile(self):
         lines = PT_KERNEL.splitlines()
         line = next(number for number, text in enumerate(lines, 1) if text.startswith("static inline lanes_mask"))

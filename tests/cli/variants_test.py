@@ -35,6 +35,13 @@ class Variants(CliTest):
         self.assertIn("the host's tracer", centre["against"])
         self.assertNotEqual(stratified["max_abs_z"], jitter["max_abs_z"])
 
+    def test_paths_that_end_at_random_are_judged_by_their_image(self):
+        off, albedo = self.records("-a", "roulette=[off,albedo]")
+        self.assertEqual((off["status"], albedo["status"]), ("ok", "ok"), albedo["reason"])
+        checks, without = set(off["validation"]["checks"]), set(albedo["validation"]["checks"])
+        self.assertEqual(checks - without, {"segments", "full_length"})
+        self.assertLess(albedo["work"]["segments"], off["work"]["segments"])
+
     def test_an_invalid_build_has_a_verdict_and_no_time(self):
         wrong = UNIT.replace("* launch->stratum_height", "* launch->stratum_width")  # 2 x 5 cells as 2 x 2: too tall
         self.assertNotEqual(wrong, UNIT)

@@ -38,13 +38,14 @@ Record full_record() {
     r.params = {"pocl:0", "pt", "thesis", {128, 64}, 10, 128, {16, 16}, 8};
     r.params.variant.rng = Rng::park_miller;
     r.status = Status::ok;
-    r.work = Work{81920, std::numeric_limits<std::uint64_t>::max(), 3, 8, 5, 2, 250'000'000, 1u << 20, 0.25};
+    r.work =
+        Work{81920, std::numeric_limits<std::uint64_t>::max(), 7, 3, 8, 5, 2, 250'000'000, 1u << 20, 0.25};
     r.build = Build{"-cl-std=CL1.2",    "ab12", true, 1.5, 0.25, 0.125, 12345, 4096, 8, 0, 64,
                     "warning: \"x\"\n", 155625, 128,  0,   {}};
     r.samples = {{100, 101, 102, 3, 4, 5, ""},
                  {std::numeric_limits<std::int64_t>::max(), 1, 2, 3, 4, 0, "timer_fault"}};
-    r.statistics = Statistics{"event", "",  2,   1,    100.5,  0.1,         1.0 / 3, 100,
-                              101,     100, 101, 99.5, 102.25, "precision", 1.5,     2.5};
+    r.statistics = Statistics{"event", "",  2,    1,      100.5,       0.1, 1.0 / 3, 100, 101,
+                              100,     101, 99.5, 102.25, "precision", 1.5, 2.5,     3.5};
     r.validation =
         Validation{true, "thesis_pl128", "", 1000, 3.5, 4.75, 0.5, 30.87, 30.9, {"finite", "blocks"}};
     r.energy = Energy{"NVML", "", 2.5, 0.125, 655360, {}};

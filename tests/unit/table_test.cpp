@@ -38,7 +38,7 @@ Record timed_record(std::string device_key, std::string kernel, int spp, double 
     Record r;
     r.params = {std::move(device_key), std::move(kernel), "thesis", {128, 128}, spp, 128, {}, 0};
     r.status = Status::ok;
-    r.work = Work{163840, 5'000'000, 0, 8, 1, 0, 0, 0, {}};
+    r.work = Work{163840, 5'000'000, 0, 0, 8, 1, 0, 0, 0, {}};
     Statistics s;
     s.timer = "event";
     s.n = 5;

@@ -42,6 +42,16 @@ TEST(Timer, overlapping_launches_count_once) {
     EXPECT_EQ(union_ns(std::vector{launch(5000, 5100), launch(5050, 5150), launch(5200, 5210)}), 160);
 }
 
+TEST(Timer, overlap_is_the_share_of_launches_beside_another) {
+    TimeSample alone, beside;
+    alone.sum_ns = alone.kernel_ns = 100;
+    beside.sum_ns = 300;
+    beside.kernel_ns = 200;
+    EXPECT_DOUBLE_EQ(overlap_of(std::vector{alone, beside}).value(), 0.25);
+    EXPECT_EQ(overlap_of(std::vector{alone}), 0);
+    EXPECT_EQ(overlap_of(std::vector{TimeSample{}}), std::nullopt) << "no time at all";
+}
+
 TEST(Timer, clocks_may_differ_by_a_fifth_over_ten_milliseconds) {
     EXPECT_FALSE(clocks_disagree(10'000'000, 12'000'000));
     EXPECT_TRUE(clocks_disagree(10'000'000, 12'000'001));

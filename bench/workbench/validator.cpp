@@ -1,0 +1,73 @@
+#include "bench/workbench/validator.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bench/validate/validate.h"
+#include "bench/workbench/host_reference.h"
+
+namespace ptb {
+namespace {
+
+constexpr double validation_s = 15;  ///< a slow device validates on the samples that this time gives
+constexpr int fewest_spp = 4;
+constexpr int unstored_spp = 64;  ///< at most, where the host's few samples are the truth
+
+/// Samples a pixel of the validation, by the kernel's speed.
+int validation_spp(double ns_per_sample) {
+    const double pixels = static_cast<double>(validation_size.pixels());
+    const double by_time = validation_s * 1e9 / std::max(ns_per_sample, 1e-3);
+    return static_cast<int>(
+        std::clamp(by_time, fewest_spp * pixels, static_cast<double>(validation_samples)) / pixels);
+}
+
+}  // namespace
+
+Validator::Validator(Builds& builds, Pace& pace, std::filesystem::path references, std::uint64_t seed)
+    : builds_(builds), pace_(pace), references_(std::move(references)), seed_(seed) {}
+
+const Validation& Validator::verdict(const CaseJob& job, const Stage& stage) {
+    const CaseJob plain = job.plain();
+    const auto found = verdicts_.find(plain.key());
+    if (found != verdicts_.end()) return found->second;
+    return verdicts_[plain.key()] = judged(plain, stage);
+}
+
+Validation Validator::judged(const CaseJob& plain, const Stage& stage) {
+    const auto stored = stored_reference(plain);
+    const int spp = validation_spp(pace_.ns_per_sample(plain));
+    const CaseJob job = plain.sized(validation_size, stored ? spp : std::min(spp, unstored_spp));
+    const auto render = builds_.make(job);
+    timed_render(*render, pace_.timing(job, passes(stage, "validate")));
+    return judged_by(stored, job, render->read_film());
+}
+
+Validation Validator::judged_by(const std::optional<Reference>& stored, const CaseJob& job,
+                                const Film& film) const {
+    const FilmEvidence evidence = evidence_of(film, job.work);
+    Validation validation = check_film(evidence);
+    if (stored) {
+        check_against(validation, evidence, *stored);
+        validation.against = reference_name(stored->scene, stored->kernel, stored->size, stored->path_length);
+    } else {
+        check_timed(validation, evidence, host_reference(job, seed_));
+        validation.against = "the host's tracer, a few samples (there is no stored reference)";
+    }
+    return validation;
+}
+
+void Validator::check_timed_film(const CaseJob& job, const Film& film, Validation& validation) const {
+    const FilmEvidence evidence = evidence_of(film, job.work);
+    Validation own = check_film(evidence);
+    if (const auto stored = stored_reference(job)) check_timed(own, evidence, *stored);
+    validation.checks.emplace_back("timed image");
+    if (!own.valid) fail(validation, "the timed image: " + own.reason);
+}
+
+std::optional<Reference> Validator::stored_reference(const CaseJob& job) const {
+    if (job.work.variant.pixel_filter == PixelFilter::centre) return std::nullopt;  // theirs is another image
+    return load_reference(references_, reference_name(job.scene->name, truth_of(job.params.kernel),
+                                                      validation_size, job.work.path_length));
+}
+
+}  // namespace ptb

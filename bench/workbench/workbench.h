@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bench/workbench/stopwatch.h"
+#include "bench/workbench/validator.h"
+
+namespace ptb {
+
+/// What became of a case: its record, and the timed image where it came to that.
+struct CaseResult {
+    Record record;
+    Image picture{};
+};
+
+/// One device, and what measuring a case on it takes: kernels, verdicts, a stopwatch.
+class Workbench {
+  public:
+    /// Throws when there is no such device, or it cannot be opened.
+    Workbench(const std::string& device_key, const MeasureOptions& options,
+              const std::filesystem::path& data_folder);
+    Workbench(const Workbench&) = delete;  // its parts know each other
+    Workbench& operator=(const Workbench&) = delete;
+
+    /// Runs one case to its record. Never throws for what a device, driver or kernel does.
+    CaseResult run(const Case& params, double time_left_s, const Stage& stage);
+
+    /// Some samples of a case that `run` found valid; their film is checked too. Throws what goes wrong.
+    Record round(const Case& params, int samples, const Stage& stage);
+
+    /// What the device can do at most. Throws what goes wrong.
+    std::vector<Peak> peaks(const Stage& stage) const;
+
+    /// Device time of one pixel sample of this case, ns. Throws what goes wrong.
+    double estimate(const Case& params);
+
+  private:
+    CaseJob resolve(const Case& params);
+    void attempt(const CaseJob& job, double time_left_s, const Stage& stage, CaseResult& result);
+    Image time(const CaseJob& job, double time_left_s, const Stage& stage, Record& record);
+
+    MeasureOptions options_;
+    std::filesystem::path data_folder_;
+    std::map<std::string, Scene> scenes_;
+    Builds builds_;
+    Pace pace_;
+    Validator validator_;
+    Stopwatch stopwatch_;
+};
+
+}  // namespace ptb
