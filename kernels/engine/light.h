@@ -63,8 +63,9 @@ static inline Vec matte_normal(const Path* path, const Surface* surface) {
    `goes_on` as its chance, 0 where it is not asked; this is the share of the sum by the balance heuristic. */
 static inline void gather_lamp(const World* world, Path* path, const Surface* surface, lanes_mask matte, lanes_f goes_on,
                                lanes_mask counts COUNTED_PARAMETER) {
+    const LampDraw draw = draw_lamp(&path->random);
     if (!lanes_any(matte)) return;
-    const LampSample lamp = sample_lamp(&world->lamps, path->ray.origin, &path->random, counts & matte COUNTED_ARGUMENT);
+    const LampSample lamp = sample_lamp(&world->lamps, path->ray.origin, &draw, counts & matte COUNTED_ARGUMENT);
     COUNTED_LANES(counts & matte, LIGHT_COSINE_WORK)
     const lanes_f cosine = vec_dot(matte_normal(path, surface), lamp.direction);
     const lanes_mask lit = matte & (cosine > 0.0f) & (lamp.density.whole > 0.0f);

@@ -145,16 +145,28 @@ typedef struct LampSample {
     lanes_u face;
 } LampSample;
 
-static inline LampSample sample_lamp(const Lamps* lamps, Vec point, Random* random, lanes_mask counts COUNTED_PARAMETER) {
-    lanes_u u, v;
+/* What is random in it, for all lanes: a lane's numbers do not depend on what others meet. */
+typedef struct LampDraw {
+    lanes_u u, v, choice;
+} LampDraw;
+
+static inline LampDraw draw_lamp(Random* random) {
+    LampDraw draw;
+    random_next_two(random, &draw.u, &draw.v);
 #ifdef SCENE_LONE_LAMP
-    const Lamp lamp = lamp_of(lamps, (lanes_u)(0u));
+    draw.choice = (lanes_u)(0u);
 #else
-    random_next_two(random, &u, &v);
-    COUNTED_LANES(counts, LAMP_CHOICE_WORK)
-    const Lamp lamp = lamp_of(lamps, choose_lamp(lamps, u));
+    lanes_u unused;
+    random_next_two(random, &draw.choice, &unused);
 #endif
-    random_next_two(random, &u, &v);
+    return draw;
+}
+
+static inline LampSample sample_lamp(const Lamps* lamps, Vec point, const LampDraw* draw, lanes_mask counts COUNTED_PARAMETER) {
+#ifndef SCENE_LONE_LAMP
+    COUNTED_LANES(counts, LAMP_CHOICE_WORK)
+#endif
+    const Lamp lamp = lamp_of(lamps, choose_lamp(lamps, draw->choice));
     const Sight sight = sight_of(&lamp, point, counts COUNTED_ARGUMENT);
     LampSample sample;
     sample.radiance = lamp.radiance;
@@ -162,7 +174,7 @@ static inline LampSample sample_lamp(const Lamps* lamps, Vec point, Random* rand
     lanes_f squared = (lanes_f)(0.0f), cosine = squared;
     if (LAMPS_HAVE_CAPS) {
         COUNTED_LANES(counts, LAMP_CAP_WORK)
-        const Vec outwards = uniform_cone(lamp.axis, lamp.extent, u, v);
+        const Vec outwards = uniform_cone(lamp.axis, lamp.extent, draw->u, draw->v);
         const Vec to_cap = vec_add_scaled(sight.to_centre, outwards, lamp.radius);
         squared = vec_dot(to_cap, to_cap);
         const lanes_f inverse = lanes_rsqrt(squared);
@@ -172,7 +184,7 @@ static inline LampSample sample_lamp(const Lamps* lamps, Vec point, Random* rand
     }
     if (lanes_any(sight.near)) {
         COUNTED_LANES(counts & sight.near, LAMP_DIRECTION_WORK)
-        const Vec direction = uniform_cone(sight.axis, sight.extent, u, v);
+        const Vec direction = uniform_cone(sight.axis, sight.extent, draw->u, draw->v);
         const lanes_f middle = vec_dot(direction, sight.to_centre);
         const Vec aside = vec_add_scaled(sight.to_centre, direction, -middle);
         const lanes_f half_chord = lanes_sqrt(lanes_max(lamp.radius * lamp.radius - vec_dot(aside, aside), (lanes_f)(0.0f)));
