@@ -32,6 +32,8 @@ int validation_spp(double ns_per_sample) {
                             pixels);
 }
 
+bool has_roulette(const RenderJob& job) { return job.variant.roulette != Roulette::off; }
+
 bool refused_work_group(const ocl::Error& e) {
     return e.code() == CL_INVALID_WORK_GROUP_SIZE || e.code() == CL_OUT_OF_RESOURCES ||
            e.code() == CL_INVALID_WORK_ITEM_SIZE;
@@ -254,7 +256,7 @@ const Validation& Workbench::validated(const Job& job, const Stage& progress) {
     timed_render(*render,
                  {cutters_[job.image_key()], device_.info.timer_resolution_ns, stage(progress, "validate")});
     const Film film = render->read_film();
-    const FilmEvidence evidence{film, work.size, work.spp, work.path_length};
+    const FilmEvidence evidence{film, work.size, work.spp, work.path_length, has_roulette(work)};
     Validation validation = check_film(evidence);
     if (reference)
         check_against(validation, evidence, *reference);
@@ -336,7 +338,8 @@ void Workbench::summarize(const Measurement& measurement, Record& record) const 
 
 /// The timed render's own picture must pass what any picture of this work must.
 void Workbench::check_film_of(const Job& job, const Film& film, Validation& validation) const {
-    const FilmEvidence evidence{film, job.work.size, job.work.spp, job.work.path_length};
+    const FilmEvidence evidence{film, job.work.size, job.work.spp, job.work.path_length,
+                                has_roulette(job.work)};
     Validation own = check_film(evidence);
     if (const auto reference = stored_reference(job)) check_timed(own, evidence, *reference);
     validation.checks.emplace_back("timed image");

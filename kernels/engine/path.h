@@ -74,10 +74,10 @@ static inline lanes_f chance_to_go_on(const Surface* surface) {
 #endif
 }
 
-/* A number of those that go on. */
+/* A number of those that go on. Those that never do are worth 0, and stay so. */
 static inline lanes_f over_chance(lanes_f x, lanes_f chance) {
 #ifdef ENGINE_ROULETTE
-    return x / chance;
+    return x / lanes_max(chance, (lanes_f)(1e-30f));
 #else
     (void)chance;
     return x;

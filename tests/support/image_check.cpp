@@ -62,7 +62,8 @@ Reference reference_of(const OracleResult& truth, const Scene& scene, const std:
 
 testing::AssertionResult agrees(const std::string& name, const Film& film, const RenderJob& job,
                                 const Reference& reference) {
-    const FilmEvidence evidence{film, job.size, job.spp, job.path_length};
+    const FilmEvidence evidence{film, job.size, job.spp, job.path_length,
+                                job.variant.roulette != Roulette::off};
     Validation validation = check_film(evidence);
     check_against(validation, evidence, reference);
     if (validation.valid) return testing::AssertionSuccess();
