@@ -134,7 +134,7 @@ def main(argv):
     z = compare(batches, truth)
     print(f"  {len(z)} block means: z rms {math.sqrt(statistics.fmean(v * v for v in z)):.3f}, "
           f"largest {max(map(abs, z)):.2f} (Student's, {len(batches) - 1} degrees)")
-    if record["status"] != "ok":
+    if not record["validation"]["valid"]:
         sys.exit(f"error: {record['reason']}")
     print_counts(record, truth)
 
