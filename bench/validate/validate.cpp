@@ -7,7 +7,6 @@
 #include <limits>
 #include <tuple>
 
-#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <fmt/format.h>
 
@@ -47,6 +46,21 @@ std::array<double, 3> channel_means(const Image& image) {
     for (std::size_t i = 0; i < image.rgb.size(); ++i) sum[i % 3] += image.rgb[i];
     for (double& s : sum) s /= static_cast<double>(image.size.pixels());
     return sum;
+}
+
+/// The reference of a film whose samples vary more than the reference's, as roulette makes them: its variance
+/// scaled by how much more, each channel by itself.
+Reference as_noisy_as(const Film& film, Reference reference) {
+    const auto found = channel_means(*film.variance), expected = channel_means(reference.variance);
+    for (std::size_t i = 0; i < reference.variance.rgb.size(); ++i) {
+        const double ratio = expected[i % 3] > 0 ? found[i % 3] / expected[i % 3] : 1;
+        reference.variance.rgb[i] *= static_cast<float>(std::max(ratio, 1.0));
+    }
+    return reference;
+}
+
+Reference reference_for(const FilmEvidence& evidence, const Reference& reference) {
+    return evidence.roulette && evidence.film.variance ? as_noisy_as(evidence.film, reference) : reference;
 }
 
 bool same_shape(Size a, Size b) {
@@ -94,22 +108,10 @@ void check_segments(Validation& validation, const FilmEvidence& evidence, const 
                          validation.segments_per_sample, reference.segments_per_sample, z));
 }
 
-/// Single precision turns light that glass reflects at grazing angles past the critical one, where it stays:
-/// 2 in a million paths of `direct` (H200). So many change no counted work.
-constexpr double rounded_share = 1e-5;
-
-constexpr double rare = 100;  ///< so few in all are not Gaussian
-
-/// Of two counts of rare events, when `share` of all samples are the first side's, as many standard errors as
-/// a Gaussian would need to be as unlikely: given their sum the first count is binomial.
-double rare_z(double found, double there, double share) {
-    if (found + there == 0) return 0;
-    const boost::math::binomial events(found + there, share);
-    const bool many = found > (found + there) * share;
-    const double tail = many ? cdf(complement(events, found - 1)) : cdf(events, found);
-    const double z = quantile(complement(boost::math::normal(), std::clamp(tail, 1e-300, 0.5)));
-    return many ? z : -z;
-}
+/// In single precision so many paths, at most, stay in glass that they should leave: they came in along its
+/// surface, and rounding makes every reflection total. 1 to 4 of 10 million on the shipped scenes with PoCL, some
+/// 20 on an H200.
+constexpr double kept_in_glass = 4e-6;
 
 void check_full_length(Validation& validation, const FilmEvidence& evidence, const Reference& reference,
                        double limit) {
@@ -117,15 +119,12 @@ void check_full_length(Validation& validation, const FilmEvidence& evidence, con
     const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
     const double share = static_cast<double>(*evidence.film.full_length_paths) / n;
     const double expected = reference.full_length_share;
-    const double found = static_cast<double>(*evidence.film.full_length_paths),
-                 there = std::round(expected * m);
-    const double z = found + there < rare
-                         ? rare_z(found, there, n / (n + m))
-                         : z_score(share, expected, difference_variance(expected * (1 - expected), n, m));
+    const double likely = std::max(expected, kept_in_glass);
+    const double z = z_score(share, expected, difference_variance(likely * (1 - likely), n, m));
     validation.checks.push_back("full_length");
-    if (std::abs(z) > limit && std::abs(share - expected) > rounded_share)
+    if (std::abs(z) > limit)
         fail(validation,
-             fmt::format("{:.4f} % of the paths reach full length, the reference has {:.4f} % ({:.1f} "
+             fmt::format("{:.5f} % of the paths reach full length, the reference has {:.5f} % ({:.1f} "
                          "standard errors)",
                          100 * share, 100 * expected, z));
 }
@@ -245,7 +244,8 @@ Validation check_film(const FilmEvidence& evidence) {
     return validation;
 }
 
-void check_against(Validation& validation, const FilmEvidence& evidence, const Reference& reference) {
+void check_against(Validation& validation, const FilmEvidence& evidence, const Reference& stored) {
+    const Reference reference = reference_for(evidence, stored);
     check_segments(validation, evidence, reference, 4);
     check_full_length(validation, evidence, reference, 4);
     check_blocks(validation, evidence, reference);
@@ -253,7 +253,8 @@ void check_against(Validation& validation, const FilmEvidence& evidence, const R
     check_neighbours(validation, evidence, reference, 4);
 }
 
-void check_timed(Validation& validation, const FilmEvidence& evidence, const Reference& reference) {
+void check_timed(Validation& validation, const FilmEvidence& evidence, const Reference& stored) {
+    const Reference reference = reference_for(evidence, stored);
     check_segments(validation, evidence, reference, 5);
     check_mean(validation, evidence, reference, 5);
 }

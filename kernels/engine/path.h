@@ -67,8 +67,7 @@ typedef struct World {
    chance, and weighs more then. Else with certainty. */
 static inline lanes_f chance_to_go_on(const Surface* surface) {
 #ifdef ENGINE_ROULETTE
-    const lanes_f mean = (surface->weight.x + surface->weight.y + surface->weight.z) * (1.0f / 3.0f);
-    return lanes_max(lanes_min(mean, (lanes_f)(1.0f)), (lanes_f)(1e-30f)); /* of black, so that none is divided by 0 */
+    return lanes_min((surface->weight.x + surface->weight.y + surface->weight.z) * (1.0f / 3.0f), (lanes_f)(1.0f));
 #else
     (void)surface;
     return (lanes_f)(1.0f);

@@ -5,7 +5,7 @@ import unittest
 
 from ptbench import SOURCE, CliTest, changed, TINY
 
-VALIDATE = (*changed(TINY, path_length=128), "-d", "pocl:0", "--skip-time")
+VALIDATE = (*changed(TINY, path_length=128), "--scene", "thesis", "-d", "pocl:0", "--skip-time")
 
 # Name, file, right text, wrong text, what the reason says.
 WRONG = (
@@ -33,9 +33,31 @@ WRONG = (
 )
 
 
+# Of pt_nee: name, scene, and so on. What is too small for a picture of these scenes: tests/render/light_test.cpp.
+ROULETTE = ("-a", "roulette=albedo")
+MET = "share_of_met(world, path, *face, hit_distance(&hit), alive COUNTED_ARGUMENT)"
+WRONG_LIGHT = (
+    ("what is met counts in full, cap", "thesis", "pt_nee/pt_nee.cl", MET, "(lanes_f)(1.0f)", "standard errors"),
+    ("what is met counts in full, cone", "free_light", "pt_nee/pt_nee.cl", MET, "(lanes_f)(1.0f)", "standard errors"),
+    ("density of what is asked for x 1.1", "thesis", "engine/light.h", "PI * lamp.density.part", "1.1f * PI * lamp.density.part",
+     "standard errors"),
+    ("the lamp's cosine left out", "thesis", "scene/lamps.h", "cosine = -vec_dot(sample.direction, outwards);",
+     "cosine = (lanes_f)(1.0f);", "standard errors"),
+    ("area of the cap x 1.1", "thesis", "scene/lamps.h", "LAMP_FLOAT(lamps, number, cap_density)",
+     "LAMP_FLOAT(lamps, number, cap_density) / 1.1f", "standard errors"),
+    ("extent of the cone x 1.1", "free_light", "scene/lamps.h", "sight.extent = squared_sine *", "sight.extent = 1.1f * squared_sine *",
+     "standard errors"),
+    ("chance of a lamp left out", "lamps", "scene/lamps.h", "LAMP_FLOAT(lamps, number, chance)", "(lanes_f)(1.0f)", "standard errors"),
+    ("an opaque ball that throws no shadow", "thesis", "scene/hit.h", "blocked |= meets & other;", "if (i != 7u) blocked |= meets & other;",
+     "standard errors"),
+    ("glass that throws no shadow", "free_light", "scene/hit.h", "blocked |= ((in & leaves) | (!in & meets)) & other;",
+     "(void)in, (void)meets, (void)leaves, (void)other;", "standard errors"),
+)
+
+
 class Power(CliTest):
-    def validated(self, kernels, code):
-        record = self.only_case(*VALIDATE, "--kernel-dir", kernels, code=code)
+    def validated(self, kernels, code, *words, **axes):
+        record = self.only_case(*changed(VALIDATE, **axes), *words, "--kernel-dir", kernels, code=code)
         self.assertIsNone(record["statistics"])
         self.assertTrue(record["build"]["overridden"])
         return record
@@ -52,14 +74,36 @@ class Power(CliTest):
 
     def test_the_right_kernel_is_accepted(self):
         record = self.validated(self.kernels(), 0)
-        self.assertEqual((record["status"], record["reason"]), ("ok", ""))
+        self.assert_accepted(record)
 
     def test_wrong_kernels_are_rejected(self):
         for name, file, right, wrong, reason in WRONG:
             with self.subTest(name):
-                record = self.validated(self.kernels(file, right, wrong), 4)
-                self.assertEqual(record["status"], "invalid")
-                self.assertIn(reason, record["reason"])
+                self.assert_rejected(self.validated(self.kernels(file, right, wrong), 4), reason)
+
+    def assert_rejected(self, record, reason):
+        self.assertEqual(record["status"], "invalid")
+        self.assertIn(reason, record["reason"])
+
+    def assert_accepted(self, record):
+        self.assertEqual((record["status"], record["reason"]), ("ok", ""))
+
+    def test_right_light_is_accepted(self):
+        for scene in ("thesis", "free_light", "lamps"):
+            with self.subTest(scene):
+                self.assert_accepted(self.validated(self.kernels(), 0, kernel="pt_nee", scene=scene))
+
+    def test_wrong_light_is_rejected(self):
+        for name, scene, file, right, wrong, reason in WRONG_LIGHT:
+            with self.subTest(name):
+                self.assert_rejected(self.validated(self.kernels(file, right, wrong), 4, kernel="pt_nee", scene=scene), reason)
+
+    def test_roulette_is_judged_by_its_picture(self):
+        for kernel in ("pt", "pt_nee"):
+            with self.subTest(kernel):
+                self.assert_accepted(self.validated(self.kernels(), 0, *ROULETTE, kernel=kernel))
+        unweighted = self.kernels("engine/path.h", "over_chance((lanes_f)(1.0f), chance)", "(lanes_f)(1.0f)")
+        self.assert_rejected(self.validated(unweighted, 4, *ROULETTE, kernel="pt_nee"), "standard errors")
 
 
 if __name__ == "__main__":

@@ -70,6 +70,11 @@ TEST(Truth, thesis_kernel_agrees_with_its_twin) {
     expect_truth({"free_light_pl5", shipped_scene("free_light"), 48, 256, 5, 256}, "thesis");
 }
 
+TEST(Truth, all_that_ask_lamps_agree_on_a_scene_of_many) {
+    for (const std::string kernel : {"pt_nee", "direct", "whitted"})
+        expect_truth({"lamps_pl5", shipped_scene("lamps"), 48, 256, 5, 256}, kernel);
+}
+
 TEST(Truth, camera_in_a_glass_ball) {
     expect_truth({"camera_in_glass", camera_in_glass(), 48, 128, 12, 128}, "pt");
 }
