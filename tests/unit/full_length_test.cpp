@@ -80,7 +80,7 @@ TEST(Roulette, paths_that_end_by_chance_need_not_be_as_long_as_the_references) {
 
 TEST(Roulette, means_may_differ_by_as_much_as_the_films_own_noise_explains) {
     const Reference reference = reference_with(0);
-    const auto reason_of_timed = [&](const Film& film, bool roulette) {
+    const auto reason_of_timed = [&](const Film& film, Roulette roulette) {
         const FilmEvidence evidence{film, size, spp, 128, roulette};
         Validation validation = check_film(evidence);
         check_timed(validation, evidence, reference);
@@ -91,7 +91,7 @@ TEST(Roulette, means_may_differ_by_as_much_as_the_films_own_noise_explains) {
     EXPECT_THAT(reason_of_timed(film, Roulette::albedo), HasSubstr("image mean: red is 0.50200"));
     film.variance = even(10);
     EXPECT_EQ(reason_of_timed(film, Roulette::albedo), "");
-    EXPECT_THAT(reason_of_timed(film, false), HasSubstr("image mean: red is 0.50200"));
+    EXPECT_THAT(reason_of_timed(film, Roulette::off), HasSubstr("image mean: red is 0.50200"));
 }
 
 }  // namespace
