@@ -89,8 +89,8 @@ class Tuning {
         outcome_ |= outcome_of(contest.records);
         outcome_.not_comparable |= !contest.race.leader;
         if (!contest.race.leader) return;
-        store_tuned(file_,
-                    result_of(device, contest, kernel_source(kernel.file(), config_.measure.kernel_dir).hash));
+        store_tuned(
+            file_, result_of(device, contest, kernel_source(kernel.file(), config_.measure.kernel_dir).hash));
         tell(options_.common, fmt::format("written: {}", file_.string()));
     }
 

@@ -31,8 +31,8 @@ class DeviceBench {
         const auto found = programs_.find(kernel.id);
         if (found != programs_.end()) return found->second;
         return programs_
-            .emplace(kernel.id,
-                     ocl::build(device(), kernel_source(kernel.file()), kernel.options(device(), scene(), job)))
+            .emplace(kernel.id, ocl::build(device(), kernel_source(kernel.file()),
+                                           kernel.options(device(), scene(), job)))
             .first->second;
     }
 

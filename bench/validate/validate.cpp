@@ -94,8 +94,8 @@ void check_segments(Validation& validation, const FilmEvidence& evidence, const 
 }
 
 /// In single precision so many paths, at most, stay in glass that they should leave: they came in along its
-/// surface, and rounding makes every reflection total. 1 to 4 of 10 million on the shipped scenes with PoCL, some
-/// 20 on an H200.
+/// surface, and rounding makes every reflection total. 1 to 4 of 10 million on the shipped scenes with PoCL,
+/// some 20 on an H200.
 constexpr double kept_in_glass = 4e-6;
 
 void check_full_length(Validation& validation, const FilmEvidence& evidence, const Reference& reference,

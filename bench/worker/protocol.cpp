@@ -37,12 +37,12 @@ void decode(const Json& json, const Where& where, WorkerFacts& facts) {
 }
 
 template <>
-inline constexpr auto fields<Request> = std::make_tuple(
-    required("kind", &Request::kind), required("protocol", &Request::protocol),
-    field("number", &Request::number), field("measure", &Request::measure), field("params", &Request::params),
-    field("time_left_s", &Request::time_left_s), field("scene_hash", &Request::scene_hash),
-    field("picture", &Request::picture), field("samples", &Request::samples),
-    field("time_s", &Request::time_s));
+inline constexpr auto fields<Request> =
+    std::make_tuple(required("kind", &Request::kind), required("protocol", &Request::protocol),
+                    field("number", &Request::number), field("measure", &Request::measure),
+                    field("params", &Request::params), field("time_left_s", &Request::time_left_s),
+                    field("scene_hash", &Request::scene_hash), field("picture", &Request::picture),
+                    field("samples", &Request::samples), field("time_s", &Request::time_s));
 
 template <>
 inline constexpr auto fields<Response> = std::make_tuple(
@@ -51,9 +51,8 @@ inline constexpr auto fields<Response> = std::make_tuple(
     field("ns_per_sample", &Response::ns_per_sample), field("stage", &Response::stage),
     field("done", &Response::done), field("record", &Response::record),
     field("first_row", &Response::first_row), field("rgb", &Response::rgb), field("whole", &Response::whole),
-    field("spp", &Response::spp), field("seconds", &Response::seconds),
-    field("reason", &Response::reason), field("device_failed", &Response::device_failed),
-    field("peaks", &Response::peaks));
+    field("spp", &Response::spp), field("seconds", &Response::seconds), field("reason", &Response::reason),
+    field("device_failed", &Response::device_failed), field("peaks", &Response::peaks));
 
 namespace {
 

@@ -28,7 +28,8 @@ SceneLamp device_lamp(const Lamp& lamp, const Sphere& sphere, const Material& ma
     row.centre_radius = device_vector(sphere.centre, sphere.radius);
     row.axis_extent = device_vector(lamp.axis, 1 - lamp.cos_rim);
     row.radiance_kept = device_vector(material.radiance, 1);
-    row.middle_sent = device_vector(sphere.centre + lamp.axis * (free ? 0 : sphere.radius), lamp.area / (free ? 4 : 2));
+    row.middle_sent =
+        device_vector(sphere.centre + lamp.axis * (free ? 0 : sphere.radius), lamp.area / (free ? 4 : 2));
     row.near_squared = free ? std::numeric_limits<float>::infinity()
                             : static_cast<float>(near_radii * near_radii * sphere.radius * sphere.radius);
     return row;
@@ -53,7 +54,8 @@ void add_lamps(DeviceScene& device, const Scene& file_scene) {
     for (std::size_t i = 0; i < lamps.size(); ++i) {
         const auto number = static_cast<std::size_t>(lamps[i].sphere);
         const Sphere& sphere = scene.spheres[number];
-        SceneLamp row = device_lamp(lamps[i], sphere, scene.materials[static_cast<std::size_t>(sphere.material)]);
+        SceneLamp row =
+            device_lamp(lamps[i], sphere, scene.materials[static_cast<std::size_t>(sphere.material)]);
         row.radiance_kept.w = static_cast<float>(choice.probability[i]);
         row.alias = static_cast<std::uint32_t>(choice.alias[i]);
         row.chance = static_cast<float>(choice.pdf[i]);

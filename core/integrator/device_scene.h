@@ -9,23 +9,23 @@
 
 namespace ptb {
 
-/// A scene in the order and shape that the engine's kernels want: opaque spheres that the camera is outside of
-/// first, then the two-sided ones (dielectrics, and whatever the camera is in), whose sides a path carries as
-/// bits. Coordinates are those of its Placement.
+/// A scene in the order and shape that the engine's kernels want: opaque spheres that the camera is outside
+/// of first, then the two-sided ones (dielectrics, and whatever the camera is in), whose sides a path carries
+/// as bits. Coordinates are those of its Placement.
 struct DeviceScene {
     struct Numbers {
         std::uint32_t begin = 0, end = 0;
     };
     std::vector<SceneSphere> spheres;
-    SceneFewSpheres few{};                    ///< the same spheres, up to SCENE_FEW_MOST of them
-    std::vector<SceneSurface> surfaces;       ///< one a face, the background's, and the bits of a SceneStart
+    SceneFewSpheres few{};                 ///< the same spheres, up to SCENE_FEW_MOST of them
+    std::vector<SceneSurface> surfaces;    ///< one a face, the background's, and the bits of a SceneStart
     std::array<std::uint32_t, 3> zeros{};  ///< x, y, z: bit i where the centre of few sphere i has a 0
     /// Bit j from the top: the camera is inside two-sided sphere j; at least one word, see scene/scene.h.
     std::vector<std::uint32_t> camera_sides;
     std::uint32_t opaque = 0, two_sided = 0;
-    Numbers careful, distant;  ///< spheres that are not plain, and the distant ones among them
-    double plain_error = 0;    ///< see Placement
-    Vec3 origin;               ///< where the scene has the device's origin
+    Numbers careful, distant;                ///< spheres that are not plain, and the distant ones among them
+    double plain_error = 0;                  ///< see Placement
+    Vec3 origin;                             ///< where the scene has the device's origin
     std::vector<std::uint32_t> outer_faces;  ///< of the scene's spheres, in its order: rows of `surfaces`
     std::vector<SceneLamp> lamps;            ///< what can be sampled of the emitters; see add_lamps
     SceneLamp lone_lamp{};                   ///< the first one

@@ -234,7 +234,8 @@ class EngineRender : public Render {
     EngineLaunch launch_;
 };
 
-DeviceMemory memory(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+DeviceMemory memory(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                    const RenderJob& job) {
     const Shape shape = shape_of(device, scene, job);
     const std::uint64_t units = job.size.pixels() * shape.runs.count();
     const std::uint64_t film = film_bytes_of(job.size, job.variant.film_memory);

@@ -4,7 +4,8 @@
 
 namespace ptb {
 
-/// Units of samples, taken from a queue by lanes that never idle, and a film of whole numbers: kernels/engine.
+/// Units of samples, taken from a queue by lanes that never idle, and a film of whole numbers:
+/// kernels/engine.
 extern const Machinery engine_machinery;
 
 }  // namespace ptb

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "core/integrator/device_lamps.h"
 #include "core/integrator/film.h"
 #include "core/integrator/placement.h"
-#include "core/integrator/device_lamps.h"
 #include "core/integrator/variant_support.h"
 
 namespace ptb {
@@ -80,14 +80,14 @@ std::string placement_refusal(const Integrator& row, const Scene& scene) {
     if (!placement.lost) return "";
     const Sphere& sphere = scene.spheres[*placement.lost];
     return fmt::format(
-        "scene {}: /spheres/{}: {}'s single precision loses a radius of {:g} at a distance of {:g}", scene.name,
-        *placement.lost, row.id, sphere.radius, length(sphere.centre - placement.origin));
+        "scene {}: /spheres/{}: {}'s single precision loses a radius of {:g} at a distance of {:g}",
+        scene.name, *placement.lost, row.id, sphere.radius, length(sphere.centre - placement.origin));
 }
 
 std::string rows_refusal(const Integrator& row, const RenderJob& job) {
     if (static_cast<std::uint32_t>(job.size.height) > most_rows)
-        return fmt::format("size {}x{}: {} takes at most {} rows", job.size.width, job.size.height,
-                           row.id, most_rows);
+        return fmt::format("size {}x{}: {} takes at most {} rows", job.size.width, job.size.height, row.id,
+                           most_rows);
     const auto spp = static_cast<std::uint32_t>(job.spp);
     if (job.variant.pixel_filter != PixelFilter::stratified || spp / strata_columns(spp) <= most_rows)
         return "";
@@ -109,7 +109,8 @@ DeviceScene device_scene_for(const Integrator& row, const Scene& scene) {
     return device;
 }
 
-std::string engine_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+std::string engine_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                           const RenderJob& job) {
     for (const std::string& reason :
          {placement_refusal(row, scene), memory_refusal(row, device, device_scene_for(row, scene), job),
           film_refusal(device, job.size, job.variant.film_memory), rows_refusal(row, job)})
@@ -117,7 +118,8 @@ std::string engine_refusal(const Integrator& row, const ocl::Device& device, con
     return "";
 }
 
-std::string engine_options(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+std::string engine_options(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                           const RenderJob& job) {
     const DeviceScene device_scene = device_scene_for(row, scene);
     const Places places = places_of(device, device_scene, job);
     const bool lone_on_gpu = is_throughput_device(device) && job.lanes == 1;
@@ -126,28 +128,33 @@ std::string engine_options(const Integrator& row, const ocl::Device& device, con
     if (job.lanes > 1) text += fmt::format(" -DPTB_WIDTH={}", device.info.native_float_width);
     text += fmt::format(" -DSCENE_SPHERES={} -DSCENE_SURFACES={}", places.spheres, places.surfaces);
     if (device_scene.is_few())
-        text +=
-            fmt::format(" -DSCENE_FEW={} -DSCENE_OPAQUE={} -DSCENE_ZERO_X={:#x} -DSCENE_ZERO_Y={:#x} -DSCENE_ZERO_Z={:#x}",
-                        device_scene.spheres.size(), device_scene.opaque, device_scene.zeros[0], device_scene.zeros[1],
-                        device_scene.zeros[2]);
+        text += fmt::format(
+            " -DSCENE_FEW={} -DSCENE_OPAQUE={} -DSCENE_ZERO_X={:#x} -DSCENE_ZERO_Y={:#x} "
+            "-DSCENE_ZERO_Z={:#x}",
+            device_scene.spheres.size(), device_scene.opaque, device_scene.zeros[0], device_scene.zeros[1],
+            device_scene.zeros[2]);
     else if (places.spheres == SCENE_IN_LOCAL)
-        text += fmt::format(" -DSCENE_COUNT={} -DSCENE_FACES={}", device_scene.spheres.size(), device_scene.faces());
+        text += fmt::format(" -DSCENE_COUNT={} -DSCENE_FACES={}", device_scene.spheres.size(),
+                            device_scene.faces());
     if (ocl::bounds_loops(device.info)) text += " -DENGINE_BOUNDED";
     if (glows(scene)) text += " -DSCENE_GLOWS";
     if (lone_on_gpu) text += " -DENGINE_BATCH=6";
     if (lone_on_gpu && carries_gaps(device_scene, job.path_length)) text += " -DSCENE_CARRIED";
     if (device_scene.has_careful())
         text += fmt::format(
-            " -DSCENE_CAREFUL_BEGIN={}u -DSCENE_CAREFUL_END={}u -DSCENE_DISTANT_BEGIN={}u -DSCENE_DISTANT_END={}u",
+            " -DSCENE_CAREFUL_BEGIN={}u -DSCENE_CAREFUL_END={}u -DSCENE_DISTANT_BEGIN={}u "
+            "-DSCENE_DISTANT_END={}u",
             device_scene.careful.begin, device_scene.careful.end, device_scene.distant.begin,
             device_scene.distant.end);
     if (job.variant.pixel_filter != PixelFilter::jitter)
-        text += fmt::format(" -DENGINE_FILTER={}",
-                            job.variant.pixel_filter == PixelFilter::centre ? ENGINE_CENTRE : ENGINE_STRATIFIED);
+        text +=
+            fmt::format(" -DENGINE_FILTER={}",
+                        job.variant.pixel_filter == PixelFilter::centre ? ENGINE_CENTRE : ENGINE_STRATIFIED);
     if (row.samples_lamps && device_scene.lamps.size() > 1) text += " -DSCENE_MANY_LAMPS";
     if (row.samples_lamps && device_scene.lamps.size() <= 1)
-        text += fmt::format(" -DSCENE_LONE_LAMP={}", std::isinf(device_scene.lone_lamp.near_squared) ? SCENE_FREE_LAMP
-                                                                                                     : SCENE_SUNK_LAMP);
+        text +=
+            fmt::format(" -DSCENE_LONE_LAMP={}",
+                        std::isinf(device_scene.lone_lamp.near_squared) ? SCENE_FREE_LAMP : SCENE_SUNK_LAMP);
     if (job.variant.roulette == Roulette::albedo) text += " -DENGINE_ROULETTE";
     if (job.variant.film_memory == FilmMemory::image) text += " -DENGINE_IMAGE_FILM";
     if (job.variant.rng == Rng::park_miller) text += " -DPTB_PARK_MILLER";

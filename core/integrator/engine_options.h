@@ -12,10 +12,12 @@ namespace ptb {
 DeviceScene device_scene_for(const Integrator& row, const Scene& scene);
 
 /// Build options of an integrator for a job.
-std::string engine_options(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job);
+std::string engine_options(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                           const RenderJob& job);
 
 /// Why it does not do a job of this variant on this device, or nothing.
-std::string engine_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job);
+std::string engine_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                           const RenderJob& job);
 
 /// Of the grid of cells that stratified samples of a pixel lie in, one each: the largest divisor of spp that
 /// is not above its root.

@@ -38,9 +38,11 @@ double unscaled(ptb_long sum, int exponent) {
 
 class BufferFilm : public FilmStore {
   public:
-    BufferFilm(const ocl::Device& device, const cl::Program& program, const std::string& integrator, Size size,
-               const CountedRows& counted)
-        : size_(size), add_(program, (integrator + "_add").c_str()), film_(device.context, CL_MEM_READ_WRITE, bytes()) {
+    BufferFilm(const ocl::Device& device, const cl::Program& program, const std::string& integrator,
+               Size size, const CountedRows& counted)
+        : size_(size),
+          add_(program, (integrator + "_add").c_str()),
+          film_(device.context, CL_MEM_READ_WRITE, bytes()) {
         counted.give(add_);
     }
 
@@ -103,10 +105,11 @@ class ImageFilm : public FilmStore {
 
   private:
     using Texel = std::array<std::uint32_t, 4>;
-    std::vector<Texel> layer(const cl::CommandQueue& queue, std::size_t number, int first_row, int rows) const {
+    std::vector<Texel> layer(const cl::CommandQueue& queue, std::size_t number, int first_row,
+                             int rows) const {
         std::vector<Texel> texels(Size{size_.width, rows}.pixels());
-        const auto row = number * static_cast<std::size_t>(size_.height) +
-                         static_cast<std::size_t>(first_row);
+        const auto row =
+            number * static_cast<std::size_t>(size_.height) + static_cast<std::size_t>(first_row);
         queue.enqueueReadImage(images_[0], CL_TRUE, {0, row, 0}, {width(), static_cast<std::size_t>(rows), 1},
                                0, 0, texels.data());
         return texels;
@@ -129,7 +132,8 @@ FilmScale film_scale(const Scene& scene, int spp, int path_length) {
             std::clamp(room - 6 - samples - 2 * radiance, -finest, finest)};
 }
 
-void store_pixels(const std::vector<FilmPixel>& pixels, std::size_t first, const FilmScale& scale, Film& film) {
+void store_pixels(const std::vector<FilmPixel>& pixels, std::size_t first, const FilmScale& scale,
+                  Film& film) {
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const FilmPixel& pixel = pixels[i];
         const double n = pixel.samples;

@@ -22,7 +22,8 @@ struct FilmScale {
 FilmScale film_scale(const Scene& scene, int spp, int path_length);
 
 /// The picture and the counts of some pixels, added to `film` from pixel `first` on. A broken sum is NaN.
-void store_pixels(const std::vector<FilmPixel>& pixels, std::size_t first, const FilmScale& scale, Film& film);
+void store_pixels(const std::vector<FilmPixel>& pixels, std::size_t first, const FilmScale& scale,
+                  Film& film);
 
 /// What holds the sums of pixels on a device. Methods throw cl::Error.
 class FilmStore {

@@ -40,7 +40,8 @@ void expect_same(const Film& film, const Film& other) {
     EXPECT_EQ(film.shadow_rays, other.shadow_rays);
 }
 
-/// All of `pt`'s, whose machinery others share; of those one lane, and what the device has unless told otherwise.
+/// All of `pt`'s, whose machinery others share; of those one lane, and what the device has unless told
+/// otherwise.
 std::vector<int> lanes_to_try(const Integrator& row, const DeviceInfo& device) {
     if (row.id == "pt" || row.lanes.size() == 1) return row.lanes;
     return {1, default_lanes(row, device)};

@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/integrator/engine_options.h"
 #include "core/integrator/device_scene.h"
+#include "core/integrator/engine_options.h"
 
 namespace ptb {
 namespace {
