@@ -20,7 +20,7 @@ class Efficiency(unittest.TestCase):
         cls.scratch = Scratch()
         cls.addClassCleanup(cls.scratch.remove)
         cls.scratch.write("ladder.json", LADDER)
-        cls.ran = cls.scratch.run("-d", "pocl:1", "--config", "ladder.json", "--out", "out", "--html", "page.html", timeout=300)
+        cls.ran = cls.scratch.run_calmly("-d", "pocl:1", "--config", "ladder.json", "--html", "page.html", timeout=300)
         assert cls.ran.returncode == 0, cls.ran.stdout + cls.ran.stderr
         cls.result = cls.scratch.result()
         cls.cases = cls.result["cases"]

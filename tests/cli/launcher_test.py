@@ -19,7 +19,7 @@ TWO_SESSIONS = f'case "$*" in *--device*) {TWO} ;; *) "$@" ;; esac'
 NO_SESSION = 'case "$*" in *--device*) echo "node is down" >&2; exit 1 ;; *) "$@" ;; esac'
 
 # The second case lasts for minutes; the first one for milliseconds.
-LONG = changed(ONE, size="256", spp="1,100000000")
+LONG = changed(ONE, size="256", spp="1,100000000") + ["--max-total-time", "0"]
 
 
 class Launchers(CliTest):

@@ -21,7 +21,7 @@ def setUpModule():
     SCRATCH = Scratch()
     unittest.addModuleCleanup(SCRATCH.remove)
     words = changed(TINY, spp="2,5,9", size="64", samples=9)
-    ran = SCRATCH.run(*words, "--out", "out", "--html", "page.html", "-q", timeout=120)
+    ran = SCRATCH.run_calmly(*words, "--html", "page.html", "-q", timeout=120)
     assert ran.returncode == 0, ran.stdout + ran.stderr
     SHOTS.mkdir(exist_ok=True)
     BROWSER = Browser()

@@ -29,7 +29,7 @@ class PassedOn(unittest.TestCase):
         """A real run of four cases: two timed ones, of which one's device has a hostile name, one that broke, one skipped."""
         cls.scratch = Scratch()
         cls.addClassCleanup(cls.scratch.remove)
-        ran = cls.scratch.run(*changed(TINY, spp="2,3", samples=9), "--out", "out", "-q")
+        ran = cls.scratch.run_calmly(*changed(TINY, spp="2,3", samples=9), "-q")
         assert ran.returncode == 0, ran.stdout + ran.stderr
         cls.result = cls.scratch.result()
         cls.result["devices"][1]["name"] = HOSTILE

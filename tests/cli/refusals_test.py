@@ -150,7 +150,7 @@ class Axes(CliTest):
 
     def test_unknown_names_get_the_nearest_and_what_there_is(self):
         for words, says in [
-            (("--kernel", "ptt"), ('"ptt"', "did you mean pt?", "thesis, pt")),
+            (("--kernel", "ptt"), ('"ptt"', "did you mean pt?", "thesis, whitted, direct, pt, pt_nee")),
             (("--scene", "thesi"), ('"thesi"', "did you mean thesis?", "free_light, furnace, lamps, thesis")),
             (("--config", "quik"), ('"quik"', "did you mean quick?", "ci, doctor, ladder, memory, quality, queues, quick, speed, thesis, tune, workgroups")),
             (("--config", "."), ("no file", "ci, doctor, ladder, memory, quality, queues, quick, speed, thesis, tune, workgroups")),
