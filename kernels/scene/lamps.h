@@ -46,6 +46,21 @@ static inline lanes_u choose_lamp(const Lamps* lamps, lanes_u word) {
 
 #endif
 
+#if PTB_LANES == 1
+/* By whole vectors, as memory is read. */
+static inline Lamp lamp_of(const Lamps* lamps, lanes_u number) {
+#ifdef SCENE_LONE_LAMP
+    const SceneLamp* row = lamps->first;
+    (void)number;
+#else
+    __global const SceneLamp* row = &lamps->rows[number];
+#endif
+    const float4 centre_radius = row->centre_radius, axis_extent = row->axis_extent, radiance = row->radiance_kept;
+    const Lamp lamp = {vec_of(centre_radius), vec_of(axis_extent), vec_of(radiance), centre_radius.w, axis_extent.w,
+                       row->chance, row->cap_density, row->near_squared, row->face};
+    return lamp;
+}
+#else
 static inline Lamp lamp_of(const Lamps* lamps, lanes_u number) {
     (void)number;
     Lamp lamp;
@@ -66,6 +81,7 @@ static inline Lamp lamp_of(const Lamps* lamps, lanes_u number) {
     lamp.face = LAMP_UINT(lamps, number, face);
     return lamp;
 }
+#endif
 
 /* Of a number from 1 to 2, say 1 / x: cheaper than a division where roots are estimated. */
 static inline lanes_f inverse_by_root(lanes_f x) {

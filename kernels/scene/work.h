@@ -85,10 +85,11 @@
 #define SCENE_SEES_FLOPS (6u + 7u + 2u + 2u)
 #endif
 #define SCENE_SHADOW_WORK(scene)                                                                                        \
-    (SCENE_LINE_FLOPS + (scene).count * SCENE_SEES_FLOPS + two_sided_spheres(scene) * 2u + 5u * SCENE_DISTANT_ONES - SCENE_SAVED_FLOPS), 0u, 0u, 0u
+    (SCENE_LINE_FLOPS + (scene).count * SCENE_SEES_FLOPS + two_sided_spheres(scene) * 2u + 5u * SCENE_DISTANT_ONES + \
+     2u * SCENE_VAST_ONES - SCENE_SAVED_FLOPS), 0u, 0u, 0u
 
 /* scene/lamps.h: a direction of a cone, */
-#define LAMP_CONE_FLOPS (4u + (SCENE_SPHERE_FLOPS - 3u) + 29u + SCENE_RSQRT_FLOPS)
+#define LAMP_CONE_FLOPS (5u + (SCENE_SPHERE_FLOPS - 3u) + 29u + SCENE_RSQRT_FLOPS)
 #define LAMP_CONE_ROOTS (SCENE_SPHERE_ROOTS + SCENE_RSQRT_ROOTS)
 /* what a point knows of a lamp, and what more it has to when it is near, */
 #define LAMP_SIGHT_WORK 8u, 0u, 0u, LAMP_BYTES
@@ -98,11 +99,11 @@
 #define LAMP_DIRECTION_WORK (LAMP_CONE_FLOPS + 19u), (LAMP_CONE_ROOTS + 1u), SCENE_RSQRT_DIVISIONS, 0u
 #define LAMP_DENSITY_WORK 2u, 0u, 0u, 0u
 #define LAMP_WAY_WORK 8u, 0u, 0u, 0u
-#define LAMP_CHOICE_WORK 3u, 0u, 0u, 12u
+#define LAMP_CHOICE_WORK 3u, 0u, 0u, 20u
 #ifdef SCENE_LONE_LAMP
 #define LAMP_BYTES 0u
 #else
-#define LAMP_BYTES ((uint)sizeof(SceneLamp) - 32u)
+#define LAMP_BYTES 64u
 #endif
 
 #endif

@@ -5,26 +5,27 @@
 #include "scene/scatter.h"
 
 /* The way to the point, its cosine and its side, before it is known to be lit; and its light. */
-#define WHITTED_POINT_WORK (3u + 5u + 3u + SCENE_RSQRT_FLOPS + 11u + 5u), SCENE_RSQRT_ROOTS, SCENE_RSQRT_DIVISIONS, (uint)sizeof(SceneLamp)
-#define WHITTED_LIGHT_WORK 6u, 0u, 1u, 0u
+#define WHITTED_POINT_WORK (3u + 5u + 3u + SCENE_RSQRT_FLOPS + 11u + 5u), SCENE_RSQRT_ROOTS, SCENE_RSQRT_DIVISIONS, 32u
+#define WHITTED_LIGHT_WORK 6u, 0u, 1u, 20u
 
 /* Adds the light of the point that stands for a lamp. A cap, which is sunk, sends it to one side alone. */
 static inline void gather_point(const World* world, Path* path, const Surface* surface, lanes_mask matte, uint number,
                                 lanes_mask counts COUNTED_PARAMETER) {
     (void)counts;
     COUNTED_LANES(counts & matte, WHITTED_POINT_WORK)
-    const SceneLamp lamp = world->lamps.rows[number];
-    const Vec to_point = vec_sub(vec_of(lamp.middle_sent), path->ray.origin);
+    __global const SceneLamp* lamp = &world->lamps.rows[number];
+    const float4 middle_sent = lamp->middle_sent, axis_extent = lamp->axis_extent;
+    const Vec to_point = vec_sub(vec_of(middle_sent), path->ray.origin);
     const lanes_f squared = vec_dot(to_point, to_point);
     const lanes_f inverse = lanes_rsqrt(squared);
     const Vec direction = vec_scale(to_point, inverse);
     const lanes_f cosine = vec_dot(matte_normal(path, surface), direction);
-    const lanes_mask sent = (lanes_f)(lamp.axis_extent.w) >= 2.0f | vec_dot(vec_of(lamp.axis_extent), direction) < 0.0f;
+    const lanes_mask sent = (lanes_f)(axis_extent.w) >= 2.0f | vec_dot(vec_of(axis_extent), direction) < 0.0f;
     const lanes_mask lit = matte & sent & (cosine > 0.0f);
     if (!lanes_any(lit)) return;
     COUNTED_LANES(counts & lit, WHITTED_LIGHT_WORK)
-    const Vec radiance = vec_scale(vec_of(lamp.radiance_kept), lamp.middle_sent.w * (1.0f / PI) * cosine / squared);
-    gather_unless_shadowed(world, path, lit, direction, squared * inverse, (lanes_u)(lamp.face), radiance, counts COUNTED_ARGUMENT);
+    const Vec radiance = vec_scale(vec_of(lamp->radiance_kept), middle_sent.w * (1.0f / PI) * cosine / squared);
+    gather_unless_shadowed(world, path, lit, direction, squared * inverse, (lanes_u)(lamp->face), radiance, counts COUNTED_ARGUMENT);
 }
 
 static inline lanes_mask trace_segment(const World* world, Path* path, lanes_mask alive, uint turn,
