@@ -47,7 +47,9 @@
 #ifdef SCENE_CAREFUL_BEGIN
 #define SCENE_DISTANT_ONES (SCENE_DISTANT_END - SCENE_DISTANT_BEGIN)
 #define SCENE_VAST_ONES (SCENE_CAREFUL_END - SCENE_CAREFUL_BEGIN - SCENE_DISTANT_ONES)
+#define SCENE_VAST_TWO_SIDED (SCENE_CAREFUL_END - SCENE_DISTANT_END)
 #else
+#define SCENE_VAST_TWO_SIDED 0u
 #define SCENE_DISTANT_ONES 0u
 #define SCENE_VAST_ONES 0u
 #endif
@@ -86,7 +88,7 @@
 #endif
 #define SCENE_SHADOW_WORK(scene)                                                                                        \
     (SCENE_LINE_FLOPS + (scene).count * SCENE_SEES_FLOPS + two_sided_spheres(scene) * 2u + 5u * SCENE_DISTANT_ONES + \
-     2u * SCENE_VAST_ONES - SCENE_SAVED_FLOPS), 0u, 0u, 0u
+     2u * SCENE_VAST_ONES + SCENE_VAST_TWO_SIDED - SCENE_SAVED_FLOPS), 0u, 0u, 0u
 
 /* scene/lamps.h: a direction of a cone, */
 #define LAMP_CONE_FLOPS (5u + (SCENE_SPHERE_FLOPS - 3u) + 29u + SCENE_RSQRT_FLOPS)
