@@ -17,6 +17,8 @@ for scene in thesis free_light; do
         make_one "$scene" "$kernel" 5 4000
     done
 done
+make_one thesis pt 8 4000
+make_one free_light pt 8 4000
 make_one thesis pt 128 6000
 make_one thesis thesis 128 4000
 make_one free_light pt 128 4000
