@@ -66,12 +66,13 @@ class Scratch:
 
     def run_calmly(self, *words, folder="out", tries=5, **options):
         """Runs again while another program disturbs a case, of which these tests do not tell."""
-        for _ in range(tries):
+        while True:
             ran = self.run(*words, "--out", folder, **options)
-            if ran.returncode != 0 or "unstable" not in {case["status"] for case in self.result(folder)["cases"]}:
-                break
+            tries -= 1
+            calm = ran.returncode != 0 or "unstable" not in {case["status"] for case in self.result(folder)["cases"]}
+            if calm or tries == 0:
+                return ran
             shutil.rmtree(self.work / folder)
-        return ran
 
     def write(self, name, content):
         text = content if isinstance(content, str) else json.dumps(content)
