@@ -104,8 +104,9 @@ void check_full_length(Validation& validation, const FilmEvidence& evidence, con
     const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
     const double share = static_cast<double>(*evidence.film.full_length_paths) / n;
     const double expected = reference.full_length_share;
+    const double bearable = std::max(expected, std::min(share, kept_in_glass));
     const double likely = std::max(expected, kept_in_glass);
-    const double z = z_score(share, expected, difference_variance(likely * (1 - likely), n, m));
+    const double z = z_score(share, bearable, difference_variance(likely * (1 - likely), n, m));
     validation.checks.push_back("full_length");
     if (std::abs(z) > limit)
         fail(validation,
@@ -212,6 +213,12 @@ Validation check_film(const FilmEvidence& evidence) {
     const double samples = samples_of(evidence.size, evidence.spp);
     validation.samples = static_cast<std::uint64_t>(samples);
     validation.segments_per_sample = static_cast<double>(evidence.film.segments) / samples;
+    if (evidence.film.variance)
+        for (const float value : evidence.film.variance->rgb)
+            if (!std::isfinite(value)) {
+                fail(validation, "the variance of a pixel is no number");
+                break;
+            }
     const auto& rgb = evidence.film.mean.rgb;
     const auto bad =
         std::find_if(rgb.begin(), rgb.end(), [](float v) { return !(v >= 0 && std::isfinite(v)); });

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double round_share = 0.02;  ///< of the time: so much earlier or later it may end
 constexpr int most_round_spp = 512;
+constexpr int most_rounds = 1 << 20;  ///< each is noted; they last for hours
 constexpr Size trial_size{128, 128};
 constexpr int trial_spp = 2;
 
@@ -37,7 +38,7 @@ struct Workshop {
 
 /// Of a small render, the second: the first may compile.
 double seconds_per_sample(const Workshop& workshop, RenderJob job) {
-    job.size = std::min(job.size, trial_size);
+    job.size = {std::min(job.size.width, trial_size.width), std::min(job.size.height, trial_size.height)};
     job.spp = trial_spp;
     const auto render = workshop.make(job);
     PassCutter cutter;
@@ -55,7 +56,7 @@ double seconds_per_sample(const Workshop& workshop, RenderJob job) {
 RenderJob endless(RenderJob job, double time_s, double seconds_per_sample) {
     const double round_s = seconds_per_sample * static_cast<double>(job.size.pixels());
     job.round_spp = static_cast<int>(std::clamp(round_share * time_s / round_s, 1.0, 1.0 * most_round_spp));
-    job.spp = most_spp(job.path_length) / job.round_spp * job.round_spp;
+    job.spp = std::min(most_spp(job.path_length) / job.round_spp, most_rounds) * job.round_spp;
     return job;
 }
 

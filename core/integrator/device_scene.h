@@ -33,10 +33,11 @@ struct DeviceScene {
     std::uint64_t faces() const { return opaque + 2 * two_sided; }
     bool is_few() const { return faces() <= SCENE_FEW_MOST; }
     bool has_careful() const { return careful.begin < careful.end; }
-    std::uint64_t bytes() const {
-        return spheres.size() * sizeof(SceneSphere) + surfaces.size() * sizeof(SceneSurface) +
-               lamps.size() * sizeof(SceneLamp);
+    /// Of what may lie in constant or local memory, and of all.
+    std::uint64_t read_bytes() const {
+        return spheres.size() * sizeof(SceneSphere) + surfaces.size() * sizeof(SceneSurface);
     }
+    std::uint64_t bytes() const { return read_bytes() + lamps.size() * sizeof(SceneLamp); }
 };
 
 /// Which spheres the camera is in is decided in double.

@@ -75,6 +75,12 @@ struct SceneBuffers {
           bytes(scene.bytes()) {}
 };
 
+double least_chance(const DeviceScene& scene) {
+    double least = 1;
+    for (const SceneLamp& lamp : scene.lamps) least = std::min<double>(least, lamp.chance);
+    return std::max(least, 1e-6);
+}
+
 /// What no launch of a job changes.
 EngineLaunch launch_of(const Scene& scene, const DeviceScene& device_scene, const RenderJob& job,
                        const Shape& shape, const FilmScale& scale) {
@@ -152,7 +158,7 @@ class EngineRender : public Render {
           job_(job),
           shape_(shape_of(device, scene, job)),
           cut_(shape_.runs, job.size.pixels(), shape_.max_units),
-          scale_(film_scale(scene, job.spp, job.path_length)),
+          scale_(film_scale(scene, job, least_chance(device_scene))),
           launcher_(device, job.variant),
           counted_(device, program),
           launch_(launch_of(scene, device_scene, job, shape_, scale_)) {

@@ -9,6 +9,7 @@
 #include "core/integrator/film.h"
 #include "core/integrator/placement.h"
 #include "core/integrator/variant_support.h"
+#include "core/scene/lamps.h"
 
 namespace ptb {
 
@@ -42,13 +43,13 @@ Places places_of(const ocl::Device& device, const DeviceScene& scene, const Rend
     if (scene.is_few())
         return {SCENE_IN_ARGUMENT,
                 is_throughput_device(device) && job.lanes == 1 ? SCENE_IN_LOCAL : SCENE_IN_CONSTANT};
-    return scene.bytes() <= device.info.constant_bytes ? Places{SCENE_IN_CONSTANT, SCENE_IN_CONSTANT}
-                                                       : Places{SCENE_IN_GLOBAL, SCENE_IN_GLOBAL};
+    return scene.read_bytes() <= device.info.constant_bytes ? Places{SCENE_IN_CONSTANT, SCENE_IN_CONSTANT}
+                                                            : Places{SCENE_IN_GLOBAL, SCENE_IN_GLOBAL};
 }
 
 std::string memory_refusal(const Integrator& row, const ocl::Device& device, const DeviceScene& scene,
                            const RenderJob& job) {
-    const std::uint64_t bytes = scene.bytes();
+    const std::uint64_t bytes = scene.read_bytes();
     const auto refused = [&](const std::string& memory, std::uint64_t limit) {
         return fmt::format("scene_memory {}: {} spheres take {} bytes, this device has {}", memory,
                            scene.spheres.size(), bytes, limit);
@@ -84,6 +85,17 @@ std::string placement_refusal(const Integrator& row, const Scene& scene) {
         scene.name, *placement.lost, row.id, sphere.radius, length(sphere.centre - placement.origin));
 }
 
+/// Light all around is met, but cannot be asked for.
+std::string surrounding_refusal(const Integrator& row, const Scene& scene) {
+    if (!row.only_asks) return "";
+    for (const Lamp& lamp : find_lamps(scene).lamps)
+        if (lamp.around_camera)
+            return fmt::format(
+                "scene {}: /spheres/{} shines around the camera, where {} cannot ask it for light",
+                scene.name, lamp.sphere, row.id);
+    return "";
+}
+
 std::string rows_refusal(const Integrator& row, const RenderJob& job) {
     if (static_cast<std::uint32_t>(job.size.height) > most_rows)
         return fmt::format("size {}x{}: {} takes at most {} rows", job.size.width, job.size.height, row.id,
@@ -112,7 +124,8 @@ DeviceScene device_scene_for(const Integrator& row, const Scene& scene) {
 std::string engine_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,
                            const RenderJob& job) {
     for (const std::string& reason :
-         {placement_refusal(row, scene), memory_refusal(row, device, device_scene_for(row, scene), job),
+         {placement_refusal(row, scene), surrounding_refusal(row, scene),
+          memory_refusal(row, device, device_scene_for(row, scene), job),
           film_refusal(device, job.size, job.variant.film_memory), rows_refusal(row, job)})
         if (!reason.empty()) return reason;
     return "";

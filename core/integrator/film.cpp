@@ -124,12 +124,15 @@ class ImageFilm : public FilmStore {
 
 }  // namespace
 
-FilmScale film_scale(const Scene& scene, int spp, int path_length) {
+FilmScale film_scale(const Scene& scene, const RenderJob& job, double least_chance) {
     const auto bits = [](double most) { return static_cast<int>(std::ceil(std::log2(most))); };
-    const int samples = bits(spp), radiance = bits(most_radiance(scene, path_length));
+    const int samples = bits(job.spp), radiance = bits(most_radiance(scene, job.path_length));
+    constexpr int most_weight = 20, of_spared = 6;
+    const int weight = std::min(bits(1 / least_chance), most_weight) +
+                       (job.variant.roulette == Roulette::off ? 0 : of_spared);
     constexpr int room = 62, finest = 100;  // beyond, floats end
-    return {std::clamp(room - 4 - samples - radiance, -finest, finest),
-            std::clamp(room - 6 - samples - 2 * radiance, -finest, finest)};
+    return {std::clamp(room - 4 - samples - radiance - weight, -finest, finest),
+            std::clamp(room - 6 - samples - 2 * radiance - weight, -finest, finest)};
 }
 
 void store_pixels(const std::vector<FilmPixel>& pixels, std::size_t first, const FilmScale& scale,

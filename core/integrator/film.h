@@ -17,9 +17,11 @@ struct FilmScale {
     int radiance = 0, squares = 0;
 };
 
-/// As fine as leaves room for the sums of `spp` samples of this scene with some to spare: a factor of 16 in a
-/// pixel's mean radiance over what the scene's emitters can send into it, 64 in the mean of its square.
-FilmScale film_scale(const Scene& scene, int spp, int path_length);
+/// As fine as leaves room for the sums of the job's samples of this scene with some to spare: a factor of 16
+/// in a pixel's mean radiance over what the scene's emitters can send into it, 64 in the mean of its square;
+/// and so much more as samples weigh more that ask one of many lamps, or that roulette spared.
+/// @param least_chance  of a lamp that is asked for its light, 1 where none is
+FilmScale film_scale(const Scene& scene, const RenderJob& job, double least_chance);
 
 /// The picture and the counts of some pixels, added to `film` from pixel `first` on. A broken sum is NaN.
 void store_pixels(const std::vector<FilmPixel>& pixels, std::size_t first, const FilmScale& scale,

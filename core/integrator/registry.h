@@ -32,6 +32,7 @@ struct Integrator {
     std::vector<int> lanes = {1, 4, 8, 16, 32};  ///< lane widths it can be built for
     bool two_dimensional = false;    ///< its work units are pixels, so a 2-D work-group means something
     bool samples_lamps = false;      ///< asks lamps for their light
+    bool only_asks = false;          ///< finds no light at matte surfaces that it cannot ask for
     bool counts_full_length = true;  ///< its film counts samples and full-length paths
 
     /// No path adds to two pixels, so that the error of one follows from the variance of its own samples.

@@ -5,9 +5,9 @@
 
 namespace ptb {
 
-/// A pixel's samples cut into runs, `pt`'s units of work. They come in rounds of ever shorter ones: few units
-/// cost little, and those at the end of a launch have to be short, or most lanes wait for the last ones.
-/// A round that is short enough as a whole is one run.
+/// A pixel's samples cut into runs, the engine's units of work. They come in rounds of ever shorter ones: few
+/// units cost little, and those at the end of a launch have to be short, or most lanes wait for the last
+/// ones. A round that is short enough as a whole is one run.
 struct Runs {
     std::vector<std::uint32_t> starts;  ///< first sample of every run, and the end of the last one
     std::vector<std::uint32_t> rounds;  ///< the ends of the rounds, likewise

@@ -73,7 +73,7 @@ Lamps find_lamps(const Scene& scene) {
     for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
         if (material_of(scene, scene.spheres[i]).radiance == Vec3{}) continue;
         const Lamp lamp = make_lamp(scene, i);
-        if (lamp.area == 0) continue;
+        if (!(lamp.power > 0)) continue;
         found.lamps.push_back(lamp);
         weights.push_back(lamp.around_camera ? 0 : lamp.power);
     }

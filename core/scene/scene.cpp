@@ -183,9 +183,9 @@ class Twins {
         const Vec3& c = sphere.centre;
         const auto [first, is_new] =
             seen_.emplace(std::tuple(c.x, c.y, c.z, sphere.radius), Seen{number, sphere.material});
-        if (is_new || (first->second.material == sphere.material && !is_dielectric(sphere))) return;
+        if (is_new || (first->second.material == sphere.material && !matters(sphere))) return;
         where.fail(fmt::format(
-            "spheres {} and {} are the same; allowed: twice the same of one material that is no dielectric",
+            "spheres {} and {} are the same; allowed: twice the same of one material, matte or mirror",
             first->second.number, number));
     }
 
@@ -194,8 +194,10 @@ class Twins {
         std::size_t number;
         int material;
     };
-    bool is_dielectric(const Sphere& sphere) const {
-        return materials_[static_cast<std::size_t>(sphere.material)].type == MaterialType::dielectric;
+    /// Light is asked of emitters by their number, and glass changes sides.
+    bool matters(const Sphere& sphere) const {
+        const MaterialType type = materials_[static_cast<std::size_t>(sphere.material)].type;
+        return type == MaterialType::dielectric || type == MaterialType::emitter;
     }
 
     const std::vector<Material>& materials_;

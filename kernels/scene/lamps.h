@@ -27,8 +27,8 @@ typedef struct Lamps {
 
 #define LAMP_FLOAT(lamps, number, member) ((lanes_f)((lamps)->first->member))
 #define LAMP_UINT(lamps, number, member) ((lanes_u)((lamps)->first->member))
-static inline lanes_u choose_lamp(const Lamps* lamps, lanes_u word) {
-    (void)lamps, (void)word;
+static inline lanes_u choose_lamp(const Lamps* lamps, lanes_u word, lanes_u share) {
+    (void)lamps, (void)word, (void)share;
     return (lanes_u)(0u);
 }
 
@@ -37,10 +37,10 @@ static inline lanes_u choose_lamp(const Lamps* lamps, lanes_u word) {
 #define LAMP_FLOAT(lamps, number, member) LANES_GATHER(float, (lamps)->rows, number, .member)
 #define LAMP_UINT(lamps, number, member) LANES_GATHER(uint, (lamps)->rows, number, .member)
 /* By power, in a time that does not depend on their number: see SceneLamp. */
-static inline lanes_u choose_lamp(const Lamps* lamps, lanes_u word) {
+static inline lanes_u choose_lamp(const Lamps* lamps, lanes_u word, lanes_u share) {
     const lanes_f place = (random_1_2(word) - 1.0f) * (float)lamps->count;
     const lanes_u number = lanes_min_u(lanes_to_u(place), (lanes_u)(lamps->count - 1u));
-    const lanes_mask stays = place - lanes_to_f(number) < LAMP_FLOAT(lamps, number, radiance_kept.w);
+    const lanes_mask stays = random_1_2(share) - 1.0f < LAMP_FLOAT(lamps, number, radiance_kept.w);
     return lanes_select_u(LAMP_UINT(lamps, number, alias), number, stays);
 }
 
@@ -163,17 +163,16 @@ typedef struct LampSample {
 
 /* What is random in it, for all lanes: a lane's numbers do not depend on what others meet. */
 typedef struct LampDraw {
-    lanes_u u, v, choice;
+    lanes_u u, v, choice, share;
 } LampDraw;
 
 static inline LampDraw draw_lamp(Random* random) {
     LampDraw draw;
     random_next_two(random, &draw.u, &draw.v);
 #ifdef SCENE_LONE_LAMP
-    draw.choice = (lanes_u)(0u);
+    draw.choice = draw.share = (lanes_u)(0u);
 #else
-    lanes_u unused;
-    random_next_two(random, &draw.choice, &unused);
+    random_next_two(random, &draw.choice, &draw.share);
 #endif
     return draw;
 }
@@ -182,7 +181,7 @@ static inline LampSample sample_lamp(const Lamps* lamps, Vec point, const LampDr
 #ifndef SCENE_LONE_LAMP
     COUNTED_LANES(counts, LAMP_CHOICE_WORK)
 #endif
-    const Lamp lamp = lamp_of(lamps, choose_lamp(lamps, draw->choice));
+    const Lamp lamp = lamp_of(lamps, choose_lamp(lamps, draw->choice, draw->share));
     const Sight sight = sight_of(&lamp, point, counts COUNTED_ARGUMENT);
     LampSample sample;
     sample.radiance = lamp.radiance;

@@ -1,4 +1,4 @@
-/* The scene as `pt` sees it, and where a ray meets it. */
+/* Spheres, and on which side of the two-sided ones a path is. */
 #ifndef PTB_SCENE_SCENE_H
 #define PTB_SCENE_SCENE_H
 
