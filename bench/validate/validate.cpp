@@ -213,12 +213,6 @@ Validation check_film(const FilmEvidence& evidence) {
     const double samples = samples_of(evidence.size, evidence.spp);
     validation.samples = static_cast<std::uint64_t>(samples);
     validation.segments_per_sample = static_cast<double>(evidence.film.segments) / samples;
-    if (evidence.film.variance)
-        for (const float value : evidence.film.variance->rgb)
-            if (!std::isfinite(value)) {
-                fail(validation, "the variance of a pixel is no number");
-                break;
-            }
     const auto& rgb = evidence.film.mean.rgb;
     const auto bad =
         std::find_if(rgb.begin(), rgb.end(), [](float v) { return !(v >= 0 && std::isfinite(v)); });
@@ -233,6 +227,12 @@ Validation check_film(const FilmEvidence& evidence) {
     if (validation.segments_per_sample < 1 || validation.segments_per_sample > evidence.path_length)
         fail(validation, fmt::format("{:.3f} segments a sample, between 1 and {} are possible",
                                      validation.segments_per_sample, evidence.path_length));
+    if (evidence.film.variance)
+        for (const float value : evidence.film.variance->rgb)
+            if (!std::isfinite(value)) {
+                fail(validation, "the variance of a pixel is no number");
+                break;
+            }
     return validation;
 }
 
