@@ -64,7 +64,7 @@ class Scratch:
                 raise
         return subprocess.CompletedProcess(process.args, process.returncode, out, err)
 
-    def run_calmly(self, *words, folder="out", tries=5, **options):
+    def run_calmly(self, *words, folder="out", tries=12, **options):
         """Runs again while another program disturbs a case, of which these tests do not tell."""
         while True:
             ran = self.run(*words, "--out", folder, **options)
