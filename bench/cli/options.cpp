@@ -195,14 +195,16 @@ void refuse_empty_values(CLI::App& app) {
     }
 }
 
-/// CLI11 takes a variable that is empty for one that is not set.
-void refuse_empty_variables(CLI::App& app) {
+/// CLI11 takes a variable that is empty, and from version 2.4 on one that is not allowed, for one that is not
+/// set.
+void refuse_missed_variables(CLI::App& app) {
     for (CLI::Option* const each : app.get_options()) {
         const char* const value = std::getenv(each->get_envname().c_str());
-        if (value == nullptr || *value != '\0' || each->count() > 0) continue;
-        if (each->get_expected_max() == 0)
-            throw CLI::ValidationError(each->get_name(), "found \"\"; allowed: true, false");
-        each->add_result("");
+        if (value == nullptr || each->count() > 0) continue;
+        const bool is_flag = each->get_expected_max() == 0;
+        if (is_flag && *value != '\0') continue;
+        if (is_flag) throw CLI::ValidationError(each->get_name(), "found \"\"; allowed: true, false");
+        each->add_result(value);
         each->run_callback();
     }
 }
@@ -377,7 +379,7 @@ Options parse_options(std::vector<std::string> arguments) {
         grammar.app.parse(words);
         refuse_leftovers(grammar, first_word);
         refuse_late_command(grammar, first_word);
-        refuse_empty_variables(grammar.used());
+        refuse_missed_variables(grammar.used());
         options.command = command_of(grammar);
     } catch (const CLI::CallForHelp&) {
         options.text = grammar.used().help(&grammar.used() == &grammar.app ? "" : "ptbench");

@@ -190,7 +190,7 @@ class Configs(CliTest):
     def test_what_is_no_json(self):
         self.refused('{"max_time": NaN}', "line 1")
         self.refused('{"max_time": 1,', "end of input")
-        self.refused("", "end of input")
+        self.refused("", "not JSON")
         self.refused('{"name": "x", "name": "y"}', '"name"', "twice")
         self.refused("[" * 100_000, "")
 
