@@ -13,14 +13,6 @@ namespace {
 
 void no_progress(const Response&) {}
 
-bool faulty(const Record& record) {
-    const auto at_fault = [](const TimeSample& sample) {
-        return sample.cause == cause::timer_fault || sample.cause == cause::clocks_differ;
-    };
-    return (record.statistics && record.statistics->timer == "host") ||
-           std::any_of(record.samples.begin(), record.samples.end(), at_fault);
-}
-
 Round round_of(const Record& record) {
     Round round;
     for (const TimeSample& sample : record.samples) {
@@ -43,6 +35,7 @@ Request round_request(const Case& c) {
 PairedRun::PairedRun(const DeviceInfo& device, const Side& base, const Side& now, Stopped stopped)
     : base_{base.name, DeviceWorker(device, base.open, base.measure, std::nullopt)},
       now_{now.name, DeviceWorker(device, now.open, now.measure, std::nullopt)},
+      timer_(base.measure.timer),
       stopped_(std::move(stopped)) {}
 
 Record PairedRun::validated(Worker& side, const Case& c) {
@@ -58,12 +51,22 @@ Record PairedRun::validated(Worker& side, const Case& c) {
 void PairedRun::validate(PairedCase& c) {
     c.base = validated(base_, c.gate.base);
     c.now = validated(now_, c.gate.now);
-    c.gate.timer = faulty(c.base) || faulty(c.now) ? "host" : "event";
+    c.timer = TimerWatch(timer_);
+    observe(c, c.base);
+    observe(c, c.now);
     for (const bool now : {false, true}) {
         const Record& record = now ? c.now : c.base;
         const bool valid = record.status == Status::ok || record.status == Status::unstable;
         if (!valid && c.gate.not_measured.empty()) leave_out(c, now, record.reason);
     }
+}
+
+void PairedRun::observe(PairedCase& c, const Record& record) {
+    for (const TimeSample& sample : record.samples) {
+        const std::string fault = sample.cause == cause::timer_fault ? sample.cause : "";
+        c.timer.observe({fault, sample.cause == cause::clocks_differ, 0});
+    }
+    c.gate.timer = c.timer.host() ? "host" : "event";
 }
 
 void PairedRun::leave_out(PairedCase& c, bool now_failed, const std::string& reason) {
@@ -84,7 +87,7 @@ void PairedRun::add_block(PairedCase& c, std::vector<Block> GateCase::*stage) {
             (now ? c.now : c.base) = record;
             return leave_out(c, now, record.reason);
         }
-        if (faulty(record)) c.gate.timer = "host";
+        observe(c, record);
         block.rounds.push_back(round_of(record));
     }
     (c.gate.*stage).push_back(block);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "bench/compare/gate.h"
+#include "bench/measure/timer.h"
 #include "bench/worker/coordinator.h"
 
 namespace ptb {
@@ -19,6 +21,7 @@ struct Side {
 struct PairedCase {
     GateCase gate;
     Record base, now;
+    TimerWatch timer = TimerWatch("auto");  ///< of all samples so far, both sides'
 };
 
 /// Feeds two workers of one device alternately.
@@ -26,7 +29,7 @@ class PairedRun {
   public:
     PairedRun(const DeviceInfo& device, const Side& base, const Side& now, Stopped stopped);
 
-    /// Validates both sides and chooses the clock; what has no valid image on both is not measured. Throws
+    /// Validates both sides and begins to watch the clock; what has no valid image on both is not measured. Throws
     /// std::runtime_error when a side's worker does not start, VersionMismatch when it is of another one.
     void validate(PairedCase& c);
 
@@ -42,9 +45,11 @@ class PairedRun {
         DeviceWorker worker;
     };
     Record validated(Worker& side, const Case& c);
+    static void observe(PairedCase& c, const Record& record);
     static void leave_out(PairedCase& c, bool now_failed, const std::string& reason);
 
     Worker base_, now_;
+    std::string timer_;  ///< as asked for
     Stopped stopped_;
 };
 

@@ -3,7 +3,6 @@
 import json
 import os
 import signal
-import time
 import unittest
 
 from ptbench import BINARY, SOURCE, CliTest
@@ -16,7 +15,7 @@ TINY = ("ab", "-d", "pocl:1", "--kernel", "pt", "--size", "32", "--spp", "4", "-
 SEGMENT = "            turn = uint_hold(turn + 1u);\n"
 # Every segment takes several times as long; the image is the same.
 SLOW = SEGMENT + """            lanes_f wasted = path.ray.direction.x;
-            for (int i = 0; i < 1000; ++i) wasted = wasted * 0.999f + 0.5f;
+            for (int i = 0; i < 3000; ++i) wasted = wasted * 0.999f + 0.5f;
             turn += lanes_any(wasted < -1e30f) ? 1u : 0u;
 """
 
@@ -153,11 +152,13 @@ class Stored(AbTest):
         self.assertRegex(" ".join(self.scratch.files()), r"ptbench-results/\d{4}-.*Z-ab-ci.json")
 
     def test_interruption_keeps_what_was_measured(self):
-        process = self.scratch.start("ab", "-d", "pocl:1", "--kernel", "pt", "--size", "128", "--spp", "60",
+        process = self.scratch.start("ab", "-d", "pocl:1", "--kernel", "pt", "--size", "128", "--spp", "200",
                                      "--path-length", "5", "--wg", "implicit", "--json", "ab.json")
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
-        time.sleep(4)
+        for line in process.stderr:
+            if "block 1 of" in line:
+                break
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=30)
         self.assertEqual(process.returncode, 130, err)

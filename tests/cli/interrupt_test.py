@@ -6,7 +6,7 @@ import signal
 import time
 import unittest
 
-from ptbench import ONE, CliTest, changed
+from ptbench import ONE, CliTest, changed, ended
 
 # The second case lasts for minutes; the first one for milliseconds.
 LONG = changed(ONE, size="256", spp="1,100000000,2") + ["--max-total-time", "0"]
@@ -75,7 +75,7 @@ class Interrupted(CliTest):
         _, err = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130, err)
         lines = [json.loads(line) for line in self.journal()]
-        self.assertEqual([line["status"] for line in lines[1:]], ["ok"])
+        self.assertEqual([ended(line) for line in lines[1:]], ["ok"])
         for folder in (self.scratch.root / "tmp").iterdir():  # it had no time to tidy up
             shutil.rmtree(folder)
 

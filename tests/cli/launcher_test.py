@@ -6,7 +6,7 @@ import time
 import unittest
 
 from formats import pfm_pixels, png_size
-from ptbench import ONE, SOURCE, CliTest, changed
+from ptbench import ONE, SOURCE, CliTest, changed, ended
 
 # "$@" is the worker's command.
 PLAIN = '"$@"'
@@ -28,7 +28,7 @@ class Launchers(CliTest):
         super().tearDown()
 
     def statuses(self):
-        return [case["status"] for case in self.scratch.result()["cases"]]
+        return [ended(case) for case in self.scratch.result()["cases"]]
 
     def test_a_run_behind_one_is_a_run(self):
         for script in (PLAIN, LATE, KEEPS_STDIN_OPEN, IN_A_GROUP_OF_ITS_OWN):

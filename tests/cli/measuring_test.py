@@ -4,7 +4,7 @@ import csv
 import io
 import unittest
 
-from ptbench import SOURCE, CliTest
+from ptbench import SOURCE, CliTest, ended
 from validate_schema import schema_errors
 
 # As TINY, without a number of samples.
@@ -104,7 +104,7 @@ class Measuring(CliTest):
         words = ("--spp", "[1:100:1]", "--wg", "implicit,2x2,2x4,4x4,4x8,8x8,8x16,16x16,16x32,32x32")
         self.run_ok("-q", "-d", "pocl:1", "--kernel", "pt", "--size", "16", "--path-length", "2", "-w", "0",
                     "--samples", "1", *words, "--out", "out")
-        statuses = [case["status"] for case in self.scratch.result()["cases"]]
+        statuses = [ended(case) for case in self.scratch.result()["cases"]]
         self.assertEqual((statuses.count("ok"), statuses.count("unsupported")), (100, 900))
 
 

@@ -10,7 +10,7 @@ import subprocess
 import tempfile
 import unittest
 
-from ptbench import TINY, Scratch, changed
+from ptbench import TINY, Scratch, changed, undisturbed
 
 COMPARE = "/usr/share/benchmark/compare.py"
 HOSTILE = "</a>\"'&\x1b[31m=1+1|`,\n x 9"
@@ -29,9 +29,9 @@ class PassedOn(unittest.TestCase):
         """A real run of four cases: two timed ones, of which one's device has a hostile name, one that broke, one skipped."""
         cls.scratch = Scratch()
         cls.addClassCleanup(cls.scratch.remove)
-        ran = cls.scratch.run_calmly(*changed(TINY, spp="2,3", samples=9), "-q")
+        ran = cls.scratch.run(*changed(TINY, spp="2,3", samples=9), "--out", "out", "-q")
         assert ran.returncode == 0, ran.stdout + ran.stderr
-        cls.result = cls.scratch.result()
+        cls.result = undisturbed(cls.scratch.result())
         cls.result["devices"][1]["name"] = HOSTILE
         for case in cls.result["cases"]:
             case["samples"][0]["cause"] = "first"

@@ -4,7 +4,7 @@ import json
 import shutil
 import unittest
 
-from ptbench import ONE, SOURCE, CliTest, changed
+from ptbench import ONE, SOURCE, CliTest, changed, ended
 
 SWEEP = changed(ONE, spp="1,2,3,4")
 
@@ -52,7 +52,7 @@ class GoingOn(ResumeTest):
         self.journal.write_text("\n".join([header, *map(json.dumps, [records[0], crash, skipped, records[3]])]) + "\n")
         self.run_ok("--resume", "out/journal.jsonl", "-q", code=1)
         after = self.scratch.result()["cases"]
-        self.assertEqual([record["status"] for record in after], ["ok", "crash", "ok", "ok"])
+        self.assertEqual([ended(record) for record in after], ["ok", "crash", "ok", "ok"])
         self.assertEqual([after[0], after[1], after[3]], [records[0], crash, records[3]])
 
     def test_from_a_result_file_of_another_name_into_another_folder(self):

@@ -2,7 +2,7 @@
 
 import os
 
-from ptbench import ONE, SOURCE, CliTest, changed
+from ptbench import ONE, SOURCE, CliTest, changed, ended
 from validate_schema import schema_errors
 
 LAYER = os.environ["PTB_FAULT_LAYER"]
@@ -30,7 +30,7 @@ class FaultTest(CliTest):
     def one_of_three(self, fault, status, code=1, words=THREE):
         """The record of the case that was hit, which none of the others suffered from."""
         before, hit, after = self.records(fault, *words, code=code)
-        self.assertEqual([before["status"], hit["status"], after["status"]], ["ok", status, "ok"],
+        self.assertEqual([ended(before), hit["status"], ended(after)], ["ok", status, "ok"],
                          [before["reason"], hit["reason"], after["reason"]])
         self.assertEqual((hit["samples"], hit["statistics"]), ([], None))
         return hit

@@ -4,12 +4,12 @@ import csv
 import unittest
 
 from faulty import BY_EIGHT, THREE, FaultTest
-from ptbench import ONE, TINY, changed
+from ptbench import ONE, TINY, changed, ended
 
 
 class NoFault(FaultTest):
     def test_the_layer_alone_changes_nothing(self):
-        self.assertEqual([record["status"] for record in self.records("", *THREE)], ["ok"] * 3)
+        self.assertEqual([ended(record) for record in self.records("", *THREE)], ["ok"] * 3)
 
     def test_a_mistake_in_the_faults_is_no_silent_success(self):
         for fault in ("explode", "timer how", "fail when=5"):
@@ -38,7 +38,7 @@ class Dying(FaultTest):
 
     def test_one_that_hangs_while_costs_are_estimated_or_devices_asked_for(self):
         once = self.scratch.root / "once"
-        statuses = [r["status"] for r in self.records(f"hang at=1 once={once}", *changed(THREE, timeout=2))]
+        statuses = [ended(r) for r in self.records(f"hang at=1 once={once}", *changed(THREE, timeout=2))]
         self.assertEqual(statuses, ["ok"] * 3)
         result = self.layered("hang call=clGetDeviceIDs", *ONE, code=77)
         self.assertRegex(result.stderr, r"pocl\.icd: no answer within \d+ s")
@@ -106,18 +106,18 @@ class Lost(FaultTest):
         lost = self.scratch.root / "lost"
         fault = f"lose code=-2 {BY_EIGHT} once={lost}; fail call=clCreateContext code=-2 given={lost}"
         before, hit, after = self.records(fault, *THREE, code=1)
-        self.assertEqual([before["status"], hit["status"], after["status"]], ["ok", "runtime", "skipped"])
+        self.assertEqual([ended(before), hit["status"], after["status"]], ["ok", "runtime", "skipped"])
         self.assertRegex(after["reason"], "pocl:1 cannot be opened: clCreateContext.*CL_DEVICE_NOT_AVAILABLE")
 
     def test_the_cases_of_other_devices_do_not_suffer(self):
         words = changed(TINY, wg="4,8,16") + ["-d", "pocl:1", "-d", "pocl:0"]
         records = self.records(f"lose code=-2 {BY_EIGHT} once={self.scratch.root / 'lost'}", *words, code=1)
-        self.assertEqual([(r["params"]["device"], r["status"]) for r in records],
+        self.assertEqual([(r["params"]["device"], ended(r)) for r in records],
                          [("pocl:0", "ok"), ("pocl:0", "runtime"), ("pocl:0", "ok"), *[("pocl:1", "ok")] * 3])
 
     def test_lost_while_costs_are_estimated(self):
         once = self.scratch.root / "once"
-        statuses = [r["status"] for r in self.records(f"lose code=-2 at=1 once={once}", *THREE)]
+        statuses = [ended(r) for r in self.records(f"lose code=-2 at=1 once={once}", *THREE)]
         self.assertEqual(statuses, ["ok"] * 3)
 
 
@@ -166,7 +166,7 @@ class Wrong(FaultTest):
 class Untried(FaultTest):
     def test_what_a_slow_device_cannot_do_in_the_budget_is_skipped(self):
         words = [*changed(ONE, spp="1,500000"), "--max-total-time", "20"]
-        statuses = [r["status"] for r in self.records("slow factor=50", *words)]
+        statuses = [ended(r) for r in self.records("slow factor=50", *words)]
         self.assertEqual(statuses, ["ok", "skipped"])
 
     def test_work_beyond_a_limit_is_unsupported_before_any_launch(self):

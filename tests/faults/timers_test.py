@@ -3,14 +3,14 @@
 import unittest
 
 from faulty import FaultTest
-from ptbench import ONE, changed
+from ptbench import ONE, changed, ended
 
 
 class BrokenTimers(FaultTest):
-    def assert_host_clock(self, fault, reason, words=ONE, statuses=("ok",)):
+    def assert_host_clock(self, fault, reason, words=ONE):
         output = self.layered(fault, *words, "--out", "out").stdout
         (record,) = self.scratch.result()["cases"]
-        self.assertIn(record["status"], statuses)
+        self.assertEqual(ended(record), "ok")
         self.assertEqual(record["statistics"]["timer"], "host")
         self.assertRegex(record["statistics"]["timer_reason"], reason)
         self.assertIn("timer: host", output)
@@ -29,8 +29,7 @@ class BrokenTimers(FaultTest):
                 self.assertEqual({sample["cause"] for sample in record["samples"]}, {"timer_fault"})
 
     def test_a_clock_that_is_too_slow(self):
-        self.assert_host_clock("timer how=scale factor=0.5", "host", words=changed(ONE, spp=20000),
-                               statuses=("ok", "unstable"))  # half a second of a busy machine is no steady time
+        self.assert_host_clock("timer how=scale factor=0.5", "host", words=changed(ONE, spp=20000))
 
     def test_times_that_cannot_be_had(self):
         self.assert_host_clock("fail call=clGetEventProfilingInfo code=-7", "zero")

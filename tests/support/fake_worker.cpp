@@ -157,7 +157,9 @@ void answer_round(const Request& request) {
     sample.host_ns = 3'000'000;
     if (scene == "slow-by-host") sample.host_ns = 6'000'000;
     if (scene == "faulty-timer") sample.cause = "timer_fault";
+    if (scene == "clocks-differ") sample.cause = "clocks_differ";
     response.record->samples.assign(static_cast<std::size_t>(request.samples), sample);
+    if (scene == "disturbed-once") response.record->samples.front().cause = "clocks_differ";
     answer_with(response);
 }
 

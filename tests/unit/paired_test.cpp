@@ -64,6 +64,11 @@ TEST(paired, a_faulty_timer_on_one_side_means_the_host_clock_for_both) {
     EXPECT_EQ(after_a_block("good", "faulty-timer").gate.timer, "host");
 }
 
+TEST(paired, one_sample_in_which_the_clocks_differ_is_a_busy_machine_most_are_a_faulty_timer) {
+    EXPECT_EQ(after_a_block("disturbed-once", "good").gate.timer, "event");
+    EXPECT_EQ(after_a_block("clocks-differ", "clocks-differ").gate.timer, "host");
+}
+
 TEST(paired, what_fails_on_one_side_is_not_measured_and_says_why) {
     const PairedCase base = after_a_block("sigkill", "good");
     EXPECT_EQ(base.gate.not_measured, "base: killed by SIGKILL (9)");
