@@ -29,8 +29,9 @@ class PairedRun {
   public:
     PairedRun(const DeviceInfo& device, const Side& base, const Side& now, Stopped stopped);
 
-    /// Validates both sides and begins to watch the clock; what has no valid image on both is not measured. Throws
-    /// std::runtime_error when a side's worker does not start, VersionMismatch when it is of another one.
+    /// Validates both sides and begins to watch the clock; what has no valid image on both is not measured.
+    /// Throws std::runtime_error when a side's worker does not start, VersionMismatch when it is of another
+    /// one.
     void validate(PairedCase& c);
 
     /// Appends a block of base, new, new, base; what fails in it loses all its blocks, what was
