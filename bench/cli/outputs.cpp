@@ -95,6 +95,13 @@ std::vector<Case> cases_at_equal_time(const std::vector<Record>& records) {
 /// A timed image is written even where it is then found to be wrong.
 bool left_a_picture(const Record& record) { return record.work && record.work->segments > 0; }
 
+std::set<Case> pictured(const std::vector<Record>& records) {
+    std::set<Case> cases;
+    for (const Record& record : records)
+        if (left_a_picture(record)) cases.insert(record.params);
+    return cases;
+}
+
 }  // namespace
 
 std::string file_safe(std::string text) {
@@ -144,14 +151,15 @@ Outputs::~Outputs() {
 }
 
 std::map<Case, std::string> Outputs::pictures(Pictures kind, const std::vector<Case>& cases,
-                                              const std::set<Case>& done) {
+                                              const std::vector<Record>& done) {
     kind_ = kind;
     std::map<Case, std::string> files;
+    const std::set<Case> there = pictured(done);
     std::set<std::string> kept;
     for (const auto& [c, name] : pictures_of(kind, cases)) {
         const std::string file = (folder_ / name).string();
         pictures_.insert(file);
-        if (done.contains(c)) {
+        if (there.contains(c)) {
             kept.insert(file);
             std::erase_if(files, [&](const auto& lesser) { return lesser.second == file; });
         } else {

@@ -28,10 +28,10 @@ class Outputs {
 
     /// The pictures that cases are to write. Of each device the best one: cases in plan order write it, each
     /// as good as those before it or better, so that a case that is skipped does not leave a device without
-    /// one. At equal time: every case's own, since times will tell which those are. `done` are those of a
-    /// resumed run that have theirs; the pictures of any other older run are removed.
+    /// one. At equal time: every case's own, since times will tell which those are. `done` are the records of
+    /// a resumed run; the pictures of any other older run are removed.
     std::map<Case, std::string> pictures(Pictures kind, const std::vector<Case>& cases,
-                                         const std::set<Case>& done = {});
+                                         const std::vector<Record>& done = {});
     /// Of the pictures that are wanted and there now, the cases that made them.
     std::vector<Picture> made(const std::vector<Record>& records) const;
     /// Removes those that were written in case they would be wanted.

@@ -152,14 +152,6 @@ void resume(const Options& options, Prepared& prepared, ResultFile& result) {
                                      prepared.planned.size(), options.run.resume));
 }
 
-/// The cases whose pictures there already are.
-std::set<Case> pictured(const std::vector<Record>& records) {
-    std::set<Case> cases;
-    for (const Record& record : records)
-        if (record.status == Status::ok) cases.insert(record.params);
-    return cases;
-}
-
 void run_plan(const Options& options, const Prepared& prepared, const Outputs& outputs,
               Coordinator& coordinator, ResultFile& result) {
     const Forecast forecast = coordinator.estimate();
@@ -197,8 +189,7 @@ int measure(const Options& options, Prepared& prepared, ResultFile& result, cons
     const double start_s = steady_seconds();
     Baseline baseline(options.run);
     Outputs outputs(options.run, prepared.config.name, result.run.started_at);
-    prepared.plan.image_files =
-        outputs.pictures(prepared.config.pictures, prepared.planned, pictured(result.cases));
+    prepared.plan.image_files = outputs.pictures(prepared.config.pictures, prepared.planned, result.cases);
     Coordinator coordinator(prepared.plan, channels(options, prepared.config, stopped), stopped);
     run_plan(options, prepared, outputs, coordinator, result);
     result.run.wall_s += steady_seconds() - start_s;

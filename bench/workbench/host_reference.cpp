@@ -12,7 +12,7 @@ namespace {
 
 constexpr double traced_s = 2;
 constexpr Size traced_size{32, 32};
-constexpr int tried_spp = 4, most_spp = 4000;
+constexpr int tried_spp = 4, enough_spp = 4000;
 
 OracleJob oracle_job(const CaseJob& job, std::uint64_t seed) {
     OracleJob work;
@@ -46,7 +46,7 @@ Reference host_reference(const CaseJob& job, std::uint64_t seed) {
     const std::int64_t begin = now_ns();
     trace(*job.scene, work);
     const double affordable = traced_s / std::max(seconds_since(begin), 1e-3) * work.spp;
-    work.spp = static_cast<int>(std::clamp(affordable, 1.0 * tried_spp, 1.0 * most_spp));
+    work.spp = static_cast<int>(std::clamp(affordable, 1.0 * tried_spp, 1.0 * enough_spp));
     return as_reference(trace(*job.scene, work), work);
 }
 

@@ -109,6 +109,12 @@ Record Workbench::round(const Case& params, int samples, const Stage& stage) {
     return record;
 }
 
+Rendered Workbench::picture(const Case& params, std::optional<double> time_s, const Progress& progress) {
+    const CaseJob job = resolve(params);
+    refuse_unsupported(job, builds_.device());
+    return render_picture(builds_, pace_, job, time_s, progress);
+}
+
 std::vector<Peak> Workbench::peaks(const Stage& stage) const {
     return measure_peaks(builds_.device(), options_.timer, options_.kernel_dir,
                          [&](const std::string& name) { stage("peak " + name, 0); });

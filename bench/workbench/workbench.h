@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "bench/workbench/picture_job.h"
 #include "bench/workbench/stopwatch.h"
 #include "bench/workbench/validator.h"
 
@@ -30,6 +32,10 @@ class Workbench {
 
     /// Some samples of a case that `run` found valid; their film is checked too. Throws what goes wrong.
     Record round(const Case& params, int samples, const Stage& stage);
+
+    /// The picture of a case, or of what comes of it in `time_s`; see `render_picture`. Throws Unsupported
+    /// for what this device cannot do, and what goes wrong.
+    Rendered picture(const Case& params, std::optional<double> time_s, const Progress& progress);
 
     /// What the device can do at most. Throws what goes wrong.
     std::vector<Peak> peaks(const Stage& stage) const;

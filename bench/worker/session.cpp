@@ -8,9 +8,9 @@
 #include "bench/measure/clock.h"
 #include "bench/plan/data_dir.h"
 #include "bench/plan/scene_file.h"
+#include "bench/workbench/outcome.h"
 #include "bench/workbench/workbench.h"
 #include "bench/worker/picture.h"
-#include "bench/worker/render_job.h"
 #include "core/input/json.h"
 #include "core/input/usage_error.h"
 #include "core/ocl/error.h"
@@ -25,6 +25,13 @@ constexpr double quiet_s = 0.1;  ///< between two signs of life
 Response failed(const std::string& reason) {
     Response response;
     response.kind = Response::Kind::failed;
+    response.reason = reason;
+    return response;
+}
+
+Response refused(const std::string& reason) {
+    Response response;
+    response.kind = Response::Kind::refused;
     response.reason = reason;
     return response;
 }
@@ -123,13 +130,11 @@ class DeviceSession : public WorkerSession {
     }
 
     Response render(const Request& request, const Send& send) {
-        RenderRequest job{request.params, options_.seed, options_.kernel_dir, request.time_s};
-        job.params.device = key_;
         const auto progress = told(send);
         Response response;
         response.kind = Response::Kind::rendered;
         try {
-            const Rendered rendered = render_picture(job, [&](double done) {
+            const Rendered rendered = bench_->picture(request.params, request.time_s, [&](double done) {
                 progress("render", done);
                 return !stop_asked_(request.number);
             });
@@ -138,8 +143,9 @@ class DeviceSession : public WorkerSession {
             response.spp = rendered.spp;
             response.seconds = rendered.seconds;
         } catch (const UsageError& error) {
-            response.kind = Response::Kind::refused;
-            response.reason = error.what();
+            response = refused(error.what());
+        } catch (const Unsupported& error) {
+            response = refused(error.what());
         }
         return response;
     }

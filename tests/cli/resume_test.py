@@ -37,7 +37,7 @@ class GoingOn(ResumeTest):
         self.assertIn("[2/2]", result.stderr)
         after = self.scratch.result()
         self.assertEqual(after["cases"][:2], kept)
-        self.assertEqual([(r["params"]["spp"], r["status"]) for r in after["cases"]],
+        self.assertEqual([(r["params"]["spp"], ended(r)) for r in after["cases"]],
                          [(spp, "ok") for spp in (1, 2, 3, 4)])
         self.assertEqual(len(after["run"]["resumed_at"]), 1)
         journal = [json.loads(line) for line in self.journal.read_text().splitlines()]
@@ -54,6 +54,19 @@ class GoingOn(ResumeTest):
         after = self.scratch.result()["cases"]
         self.assertEqual([ended(record) for record in after], ["ok", "crash", "ok", "ok"])
         self.assertEqual([after[0], after[1], after[3]], [records[0], crash, records[3]])
+
+    def test_pictures_of_cases_that_others_disturbed_or_that_were_wrong_stay(self):
+        header, *lines = self.journal.read_text().splitlines()
+        picture = self.scratch.work / "out/pocl-1.png"
+        before = picture.read_bytes()
+        for status in ("unstable", "invalid"):
+            with self.subTest(status):
+                records = [json.loads(line) for line in lines]
+                records[3]["status"] = status
+                self.journal.write_text("\n".join([header, *map(json.dumps, records)]) + "\n")
+                self.scratch.run("--resume", "out/journal.jsonl", "-q")
+                self.assertEqual(picture.read_bytes(), before)
+                self.assertEqual([made["file"] for made in self.scratch.result()["pictures"]], ["pocl-1.png"])
 
     def test_from_a_result_file_of_another_name_into_another_folder(self):
         result = self.scratch.result()
@@ -93,7 +106,7 @@ class FromAnotherFolder(CliTest):
         journal.write_text("".join(lines[:2]))
         self.run_ok("--resume", "../first/out/journal.jsonl", "-q", folder="second")
         after = self.scratch.result("first/out")
-        self.assertEqual([(r["params"]["spp"], r["params"]["scene"], r["status"]) for r in after["cases"]],
+        self.assertEqual([(r["params"]["spp"], r["params"]["scene"], ended(r)) for r in after["cases"]],
                          [(1, "../first/my, scene.json", "ok"), (2, "../first/my, scene.json", "ok")])
         self.assertEqual(after["cases"][0]["samples"], json.loads(lines[1])["samples"])
         self.run_ok("--resume", "out/journal.jsonl", "-q", folder="first")
