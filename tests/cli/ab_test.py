@@ -152,10 +152,8 @@ class Stored(AbTest):
         self.assertRegex(" ".join(self.scratch.files()), r"ptbench-results/\d{4}-.*Z-ab-ci.json")
 
     def test_interruption_keeps_what_was_measured(self):
-        process = self.scratch.start("ab", "-d", "pocl:1", "--kernel", "pt", "--size", "128", "--spp", "200",
+        process = self.start("ab", "-d", "pocl:1", "--kernel", "pt", "--size", "128", "--spp", "200",
                                      "--path-length", "5", "--wg", "implicit", "--json", "ab.json")
-        self.addCleanup(process.communicate)
-        self.addCleanup(process.kill)
         for line in process.stderr:
             if "block 1 of" in line:
                 break

@@ -41,15 +41,7 @@ class Launchers(CliTest):
     def test_an_interruption_leaves_nothing(self):
         for script in (PLAIN, KEEPS_STDIN_OPEN, IN_A_GROUP_OF_ITS_OWN):
             with self.subTest(script):
-                process = self.scratch.start(*LONG, *self.scratch.launcher(script), "--out", "out", "-q")
-                self.addCleanup(process.communicate)
-                self.addCleanup(process.kill)
-                journal = self.scratch.work / "out/journal.jsonl"
-                deadline = time.monotonic() + 60
-                while not journal.exists() or len(journal.read_text().splitlines()) < 2:
-                    self.assertIsNone(process.poll(), "the process ended by itself")
-                    self.assertLess(time.monotonic(), deadline)
-                    time.sleep(0.02)
+                process = self.start_and_wait_for_one_record(*LONG, *self.scratch.launcher(script), "-q")
                 process.send_signal(signal.SIGINT)
                 _, err = process.communicate(timeout=30)
                 self.assertEqual(process.returncode, 130, err)
@@ -107,11 +99,9 @@ class Launchers(CliTest):
         self.assertGreater(max(pixels), 0)
 
     def test_an_interrupted_render_there_keeps_what_there_is(self):
-        process = self.scratch.start("render", "-d", "pocl:1", "--size", "32", "--spp", "50000000", "--path-length", "5",
+        process = self.start("render", "-d", "pocl:1", "--size", "32", "--spp", "50000000", "--path-length", "5",
                                      "-o", "part.pfm", *self.scratch.launcher(IN_A_GROUP_OF_ITS_OWN))
-        self.addCleanup(process.communicate)
-        self.addCleanup(process.kill)
-        time.sleep(2)
+        time.sleep(4)
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=30)
         self.assertEqual(process.returncode, 130, err)

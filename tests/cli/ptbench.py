@@ -8,6 +8,7 @@ import shutil
 import statistics
 import subprocess
 import tempfile
+import time
 import unittest
 
 BINARY = os.environ["PTBENCH"]
@@ -99,6 +100,11 @@ class Scratch:
     def result(self, folder="out"):
         return json.loads((self.work / folder / "result.json").read_text())
 
+    def journal(self, folder="out"):
+        """Lines of a run's journal so far: the header, then a record a line."""
+        file = self.work / folder / "journal.jsonl"
+        return file.read_text().splitlines() if file.exists() else []
+
     def files(self):
         return sorted(str(file.relative_to(self.work)) for file in self.work.rglob("*"))
 
@@ -132,6 +138,26 @@ class CliTest(unittest.TestCase):
 
     def tearDown(self):
         self.assertEqual(self.scratch.temporary_files(), [], "temporary files are left behind")
+
+    def start(self, *words):
+        """A process that does not outlive the test."""
+        process = self.scratch.start(*words)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        return process
+
+    def wait_for(self, condition, process):
+        deadline = time.monotonic() + 60
+        while not condition():
+            self.assertIsNone(process.poll(), "the process ended by itself")
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.02)
+
+    def start_and_wait_for_one_record(self, *words):
+        """Of a run into out."""
+        process = self.start(*words, "--out", "out")
+        self.wait_for(lambda: len(self.scratch.journal()) == 2, process)
+        return process
 
     def run_ok(self, *words, code=0, **options):
         result = self.scratch.run(*words, **options)

@@ -88,10 +88,8 @@ class Render(CliTest):
                     self.assertAlmostEqual(one, other, delta=1e-3 * max(other, 0.01))  # sums in another order
 
     def test_a_time_can_be_cut_short(self):
-        process = self.scratch.start("render", "-d", "pocl:1", "--size", "32", "--time", "600", "-o", "part.pfm")
-        self.addCleanup(process.communicate)
-        self.addCleanup(process.kill)
-        time.sleep(3)
+        process = self.start("render", "-d", "pocl:1", "--size", "32", "--time", "600", "-o", "part.pfm")
+        time.sleep(4)
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=30)
         self.assertEqual(process.returncode, 130, err)
@@ -100,10 +98,8 @@ class Render(CliTest):
     def test_interruption_keeps_what_is_rendered(self):
         words = ("render", "-d", "pocl:1", "--size", "32", "--path-length", "5")
         _, whole = pfm_pixels(self.picture(*words, "--spp", "2000"))
-        process = self.scratch.start(*words, "--spp", "50000000", "-o", "part.pfm")
-        self.addCleanup(process.communicate)
-        self.addCleanup(process.kill)
-        time.sleep(2)
+        process = self.start(*words, "--spp", "50000000", "-o", "part.pfm")
+        time.sleep(4)
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=30)
         self.assertEqual(process.returncode, 130, err)
