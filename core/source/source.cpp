@@ -21,24 +21,45 @@ std::string included(const std::string& line) {
     return end == std::string::npos ? "" : line.substr(directive.size(), end - directive.size());
 }
 
+bool starts_with(const std::string& line, const char* word) { return line.rfind(word, 0) == 0; }
+
+/// How deep in conditions a file's lines are; what a header has around all of it to be there once is none.
+class Conditions {
+  public:
+    explicit Conditions(const std::string& file) : depth_(file.ends_with(".h") ? -1 : 0) {}
+    void read(const std::string& line) {
+        if (starts_with(line, "#if")) ++depth_;
+        if (starts_with(line, "#endif")) --depth_;
+    }
+    bool any() const { return depth_ > 0; }
+
+  private:
+    int depth_;
+};
+
 class Flattener {
   public:
     explicit Flattener(const std::filesystem::path& folder) : folder_(folder) {}
 
-    void add(const std::string& file, const std::string& from) {
-        if (!seen_.insert(file).second) return;  // every file includes what it needs; once is enough
+    /// A file that may be left out by a condition is there again for the next one that asks for it.
+    void add(const std::string& file, const std::string& from, bool conditional = false) {
+        if (seen_.contains(file) || !open_.insert(file).second) return;  // once is enough
+        if (!conditional) seen_.insert(file);
         std::istringstream lines(read(file, from));
         source_.text += fmt::format("#line 1 \"{}\"\n", file);
+        Conditions conditions(file);
         std::string line;
         for (int number = 1; std::getline(lines, line); ++number) {
+            conditions.read(line);
             const std::string name = included(line);
             if (name.empty()) {
                 source_.text += line + '\n';
                 continue;
             }
-            add(name, fmt::format("{}:{}", file, number));
+            add(name, fmt::format("{}:{}", file, number), conditional || conditions.any());
             source_.text += fmt::format("#line {} \"{}\"\n", number + 1, file);
         }
+        open_.erase(file);
     }
 
     KernelSource finish() {
@@ -62,7 +83,7 @@ class Flattener {
     }
 
     std::filesystem::path folder_;
-    std::set<std::string> seen_;
+    std::set<std::string> seen_, open_;
     KernelSource source_;
 };
 

@@ -104,6 +104,18 @@ TEST(Source, flattened_text_includes_each_file_once_and_keeps_lines) {
     EXPECT_TRUE(source.overridden);
 }
 
+TEST(Source, a_file_that_a_condition_may_leave_out_is_there_for_the_next) {
+    const OverrideFolder folder;
+    folder.write("top.cl", "#ifdef A\n#include \"a.h\"\n#endif\n#include \"b.h\"\n#include \"b.h\"\n");
+    folder.write("a.h", "#ifndef A_H\n#include \"b.h\"\nint a;\n#endif\n");
+    folder.write("b.h", "#ifndef B_H\n#define B_H\nint b;\n#endif\n");
+    const std::string text = kernel_source("top.cl", folder.path()).text;
+    const auto first = text.find("int b;"), second = text.find("int b;", first + 1);
+    EXPECT_LT(first, text.find("int a;"));
+    EXPECT_NE(second, std::string::npos) << text;
+    EXPECT_EQ(text.find("int b;", second + 1), std::string::npos) << text;
+}
+
 TEST(Source, hash_follows_the_text) {
     const OverrideFolder folder;
     const KernelSource shipped = kernel_source("pt/pt.cl", folder.path());
