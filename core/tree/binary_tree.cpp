@@ -1,13 +1,14 @@
 #include "core/tree/binary_tree.h"
 
 #include <algorithm>
+#include <bit>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "core/tree/partition.h"
+#include "shared/tree.h"
 
 namespace ptb::tree {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::size_t whole_from = 1u << 12;  ///< references: nodes of fewer ar
 /// What all threads share.
 struct Site {
     const Soup& soup;
-    const Rules& rules;
+    const TreeSettings& settings;
     Crew& crew;
     float overlap_least;  ///< half area that children have to share for a spatial split to be tried
 };
@@ -26,75 +27,54 @@ struct Site {
 struct Branch {
     BinaryTree piece;
     std::unique_ptr<Branch> left, right;
-    std::size_t nodes = 0;
 };
 
-bool cheaper_as_leaf(const Range& range, float work, const Rules& rules) {
-    const float area = half_area(range.group.box);
-    const float as_leaf = rules.test * static_cast<float>(rules.tests(range.group.count)) * area;
-    return range.group.count <= rules.leaf_most && as_leaf <= area + rules.test * work;
-}
-
 /// Whether halving can still make leaves of what the split leaves.
-bool deep_enough(const Split& split, int depth, const Rules& rules) {
+bool deep_enough(const Split& split, int depth, const TreeSettings& settings) {
     const auto most = std::max(split.left_count, split.right_count);
-    return split.found() && rules.levels_to_leaf(most) < rules.settings.depth_most - depth;
+    return split.found() && static_cast<int>(std::bit_width(most - 1)) < settings.depth_most - depth;
 }
 
 bool spatial_may_help(const Range& range, const Split& object, int depth, const Site& site) {
-    const TreeSettings& settings = site.rules.settings;
+    const TreeSettings& settings = site.settings;
     return settings.method == TreeMethod::spatial && depth < settings.spatial.depth_most &&
            range.room() > 0 &&
            (!object.found() || half_area(intersection(object.left, object.right)) > site.overlap_least);
 }
 
-/// The children of a node at this depth; nothing of what is to be a leaf.
-std::optional<Halves> divide(const Range& range, int depth, const Site& site) {
-    const Rules& rules = site.rules;
-    if (range.group.count <= 1) return {};
+/// The children of a node of several references.
+Halves divide(const Range& range, int depth, const Site& site) {
     const auto references = range.references();
-    const Split object = find_object_split(range.group, references, rules, site.crew);
+    const Split object = find_object_split(range.group, references, site.settings, site.crew);
     Split spatial;
     if (spatial_may_help(range, object, depth, site))
-        spatial = find_spatial_split(range.group, references, range.room(), site.soup, rules, site.crew);
-    if (cheaper_as_leaf(range, std::min(object.work, spatial.work), rules)) return {};
-    if (spatial.work < object.work && deep_enough(spatial, depth, rules))
+        spatial =
+            find_spatial_split(range.group, references, range.room(), site.soup, site.settings, site.crew);
+    if (spatial.work < object.work && deep_enough(spatial, depth, site.settings))
         return part(range, spatial, &site.soup);
-    if (deep_enough(object, depth, rules)) return part(range, object, nullptr);
+    if (deep_enough(object, depth, site.settings)) return part(range, object, nullptr);
     return halve(range);
 }
 
-BinaryNode node_of(const Box& box) {
-    return {{box.low[0], box.low[1], box.low[2]}, 0, {box.high[0], box.high[1], box.high[2]}, 0};
-}
-
-void append_leaf(BinaryTree& tree, const Range& range) {
-    tree.nodes.back().link = static_cast<std::uint32_t>(tree.numbers.size());
-    tree.nodes.back().count = static_cast<std::uint32_t>(range.group.count);
-    for (const Reference& reference : range.references()) tree.numbers.push_back(reference.number());
-}
-
 void append(BinaryTree& tree, const Range& range, int depth, const Site& site) {
-    const auto number = tree.nodes.size();
-    tree.nodes.push_back(node_of(range.group.box));
-    const auto halves = divide(range, depth, site);
-    if (!halves) return append_leaf(tree, range);
-    append(tree, halves->left, depth + 1, site);
-    tree.nodes[number].link = static_cast<std::uint32_t>(tree.nodes.size() - number);
-    append(tree, halves->right, depth + 1, site);
+    const std::size_t node = add_node(tree, range.group.box);
+    if (range.group.count == 1) return add_to_leaf(tree, range.first->number());
+    const Halves halves = divide(range, depth, site);
+    append(tree, halves.left, depth + 1, site);
+    end_left_child(tree, node);
+    append(tree, halves.right, depth + 1, site);
 }
 
 void grow_branch(Branch& branch, const Range& range, int depth, const Site& site) {
-    const auto halves = range.group.count < whole_from ? std::nullopt : divide(range, depth, site);
-    if (!halves) return append(branch.piece, range, depth, site);
-    branch.piece.nodes.push_back(node_of(range.group.box));
-    branch.left = std::make_unique<Branch>();
-    branch.right = std::make_unique<Branch>();
-    for (const bool right : {true, false}) {
-        Branch& child = right ? *branch.right : *branch.left;
-        const Range& half = right ? halves->right : halves->left;
-        site.crew.add([&child, half, depth, &site] { grow_branch(child, half, depth + 1, site); });
-    }
+    if (range.group.count < whole_from) return append(branch.piece, range, depth, site);
+    add_node(branch.piece, range.group.box);
+    const Halves halves = divide(range, depth, site);
+    const auto grow_child = [&site, depth](std::unique_ptr<Branch>& child, const Range& half) {
+        child = std::make_unique<Branch>();
+        site.crew.add([&branch = *child, half, depth, &site] { grow_branch(branch, half, depth + 1, site); });
+    };
+    grow_child(branch.right, halves.right);
+    grow_child(branch.left, halves.left);
 }
 
 /// Puts the pieces together, and drops them.
@@ -109,7 +89,7 @@ void join_branches(BinaryTree& tree, std::unique_ptr<Branch> branch) {
     if (!branch->left) return;
     branch->piece = {};
     join_branches(tree, std::move(branch->left));
-    tree.nodes[first_node].link = static_cast<std::uint32_t>(tree.nodes.size() - first_node);
+    end_left_child(tree, first_node);
     join_branches(tree, std::move(branch->right));
 }
 
@@ -138,19 +118,39 @@ std::size_t room_for(std::size_t triangles, const TreeSettings& settings) {
     return room;
 }
 
-}  // namespace
-
-BinaryTree build_binary_tree(const Soup& soup, const Rules& rules, Crew& crew) {
-    BinaryTree tree;
-    if (soup.size() == 0) return tree;
-    const auto room = room_for(soup.size(), rules.settings);
+/// Over all triangles; what they need of memory while it grows is gone afterwards.
+std::unique_ptr<Branch> grow_root(const Soup& soup, const TreeSettings& settings, Crew& crew) {
+    const auto room = room_for(soup.size(), settings);
     const auto references = std::make_unique_for_overwrite<Reference[]>(room);
     const Range all = refer_to_all(soup, {references.get(), room}, crew);
-    const Site site{soup, rules, crew, rules.settings.spatial.alpha * half_area(all.group.box)};
+    const Site site{soup, settings, crew, settings.spatial.alpha * half_area(all.group.box)};
     auto root = std::make_unique<Branch>();
     crew.add([&] { grow_branch(*root, all, 0, site); });
     crew.finish();
-    join_branches(tree, std::move(root));
+    return root;
+}
+
+}  // namespace
+
+std::size_t add_node(BinaryTree& tree, const Box& box) {
+    tree.nodes.push_back(
+        {{box.low[0], box.low[1], box.low[2]}, 0, {box.high[0], box.high[1], box.high[2]}, 0});
+    return tree.nodes.size() - 1;
+}
+
+void end_left_child(BinaryTree& tree, std::size_t node) {
+    tree.nodes[node].link = static_cast<std::uint32_t>(tree.nodes.size() - node);
+}
+
+void add_to_leaf(BinaryTree& tree, std::uint32_t number) {
+    BinaryNode& leaf = tree.nodes.back();
+    if (leaf.count++ == 0) leaf.link = static_cast<std::uint32_t>(tree.numbers.size());
+    tree.numbers.push_back(number);
+}
+
+BinaryTree build_binary_tree(const Soup& soup, const TreeSettings& settings, Crew& crew) {
+    BinaryTree tree;
+    if (soup.size() > 0) join_branches(tree, grow_root(soup, settings, crew));
     return tree;
 }
 

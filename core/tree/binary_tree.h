@@ -4,7 +4,7 @@
 
 #include "core/tree/crew.h"
 #include "core/tree/reference.h"
-#include "core/tree/rules.h"
+#include "core/tree/settings.h"
 
 namespace ptb::tree {
 
@@ -28,6 +28,12 @@ inline Box box_of(const BinaryNode& node) {
             Float4{node.high[0], node.high[1], node.high[2], 0}};
 }
 
-BinaryTree build_binary_tree(const Soup& soup, const Rules& rules, Crew& crew);
+/// Depth first trees grow at the end: a node, what is below it on the left, what is below it on the right.
+std::size_t add_node(BinaryTree& tree, const Box& box);
+void end_left_child(BinaryTree& tree, std::size_t node);
+void add_to_leaf(BinaryTree& tree, std::uint32_t number);  ///< the last node
+
+/// Down to leaves of one reference each.
+BinaryTree build_binary_tree(const Soup& soup, const TreeSettings& settings, Crew& crew);
 
 }  // namespace ptb::tree

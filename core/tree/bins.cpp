@@ -14,10 +14,7 @@ struct FourSides {
         for (int axis = 0; axis < 4; ++axis) grow(box[axis], bin[axis]);
         count += more;
     }
-    Float4 work(int per_test_log2) const {
-        const Int4 tests = (count + ((1 << per_test_log2) - 1)) >> per_test_log2;
-        return half_areas(box) * to_float(tests);
-    }
+    Float4 work() const { return half_areas(box) * to_float(count); }
 };
 
 Int4 all_ints(std::size_t value) {
@@ -30,21 +27,21 @@ struct FourCuts {
     Int4 bin{};
 };
 
-FourCuts best_of_each_axis(const Bins& bins, const Limits& limits, int per_test_log2) {
+FourCuts best_of_each_axis(const Bins& bins, const Limits& limits) {
     const Int4 all_of_them = all_ints(limits.count), most = all_ints(limits.most);
     Float4 right_work[most_bins];
     Int4 right_count[most_bins];
     FourSides right;
     for (int b = bins.count - 1; b > 0; --b) {
         right.take(bins.box[b], bins.end[b]);
-        right_work[b] = right.work(per_test_log2);
+        right_work[b] = right.work();
         right_count[b] = right.count;
     }
     FourCuts best;
     FourSides left;
     for (int b = 0; b + 1 < bins.count; ++b) {
         left.take(bins.box[b], bins.begin[b]);
-        const Float4 work = left.work(per_test_log2) + right_work[b + 1];
+        const Float4 work = left.work() + right_work[b + 1];
         const Int4 more = right_count[b + 1];
         const Int4 both = left.count + more;  // none on an axis that was left out
         const Int4 allowed =
@@ -58,8 +55,8 @@ FourCuts best_of_each_axis(const Bins& bins, const Limits& limits, int per_test_
 
 }  // namespace
 
-Split best_cut(const Bins& bins, const Grid& grid, const Limits& limits, const Rules& rules) {
-    const FourCuts cuts = best_of_each_axis(bins, limits, rules.per_test_log2);
+Split best_cut(const Bins& bins, const Grid& grid, const Limits& limits) {
+    const FourCuts cuts = best_of_each_axis(bins, limits);
     Split best;
     best.grid = grid;
     for (int axis = 0; axis < 4; ++axis) {

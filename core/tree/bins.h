@@ -47,6 +47,6 @@ struct Limits {
 
 /// The cut between two bins of an axis that leaves the least work, among those that leave fewer references on
 /// either side, and not too many on both.
-Split best_cut(const Bins& bins, const Grid& grid, const Limits& limits, const Rules& rules);
+Split best_cut(const Bins& bins, const Grid& grid, const Limits& limits);
 
 }  // namespace ptb::tree

@@ -112,9 +112,9 @@ std::size_t references_of(const Tree& tree) {
 
 }  // namespace
 
-TreeFacts facts_of(const Tree& tree, std::size_t triangles, const Rules& rules) {
-    TreeFacts facts = tree.nodes8.empty() ? facts_of_nodes(tree.nodes2, rules.test)
-                                          : facts_of_nodes(tree.nodes8, rules.test);
+TreeFacts facts_of(const Tree& tree, std::size_t triangles, const TreeSettings& settings) {
+    TreeFacts facts = tree.nodes8.empty() ? facts_of_nodes(tree.nodes2, settings.cost.triangle)
+                                          : facts_of_nodes(tree.nodes8, settings.cost.block);
     facts.triangles = triangles;
     facts.references = references_of(tree);
     facts.bytes = tree.nodes2.size() * sizeof(TreeNode2) + tree.triangles.size() * sizeof(TreeTriangle) +

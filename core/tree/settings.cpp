@@ -23,6 +23,8 @@ void check(const TreeSettings& settings) {
     check_range("spatial.alpha", settings.spatial.alpha, 0.0f, 1.0f);
     check_range("spatial.depth_most", settings.spatial.depth_most, 0, 64);
     check_range("spatial.room", settings.spatial.room, 0.0f, 3.0f);
+    check_range("reinsertion.passes_most", settings.reinsertion.passes_most, 0, 100);
+    check_range("reinsertion.gain_least", settings.reinsertion.gain_least, 0.0f, 1.0f);
     check_range("cost.triangle", settings.cost.triangle, 0.01f, 100.0f);
     check_range("cost.block", settings.cost.block, 0.01f, 100.0f);
 }

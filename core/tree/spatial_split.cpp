@@ -33,9 +33,9 @@ void take_parts(Bins& bins, Reference rest, int axis, Span span, const Grid& gri
 }  // namespace
 
 Split find_spatial_split(const Group& group, std::span<const Reference> references, std::size_t room,
-                         const Soup& soup, const Rules& rules, Crew& crew) {
+                         const Soup& soup, const TreeSettings& settings, Crew& crew) {
     const Limits limits{references.size(), references.size() + room};
-    Bins bins(rules.settings.bins);
+    Bins bins(settings.bins);
     const Grid grid = grid_over(group.box, bins.count);
     fill(bins, references.size(), crew, [&](Bins& some, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -56,7 +56,7 @@ Split find_spatial_split(const Group& group, std::span<const Reference> referenc
                 if (parts[axis]) take_parts(some, references[i], axis, span, grid, soup);
         }
     });
-    return best_cut(bins, grid, limits, rules);
+    return best_cut(bins, grid, limits);
 }
 
 }  // namespace ptb::tree

@@ -4,7 +4,7 @@
 
 #include "core/tree/crew.h"
 #include "core/tree/reference.h"
-#include "core/tree/rules.h"
+#include "core/tree/settings.h"
 
 namespace ptb::tree {
 
@@ -27,9 +27,10 @@ inline Grid grid_over(const Box& box, int bins) {
     return {box.low, width > all(too_narrow) ? scale : all(0), static_cast<float>(bins - 1)};
 }
 
-/// A way to part a node in two. `work` is what its children's tests cost: half areas times tests.
+/// A way to part a node in two. `work` is what its children cost if they are leaves: half areas times
+/// references.
 struct Split {
-    float work = infinity;  ///< without a split
+    float work = infinity;  ///< where there is no split
     int axis = 0;
     int bin = 0;  ///< the last on the left
     Grid grid;
@@ -41,14 +42,14 @@ struct Split {
 
 /// By where references' centres are, or their sizes: see "On fast Construction of SAH-based Bounding Volume
 /// Hierarchies", by I. Wald.
-Split find_object_split(const Group& group, std::span<const Reference> references, const Rules& rules,
-                        Crew& crew);
+Split find_object_split(const Group& group, std::span<const Reference> references,
+                        const TreeSettings& settings, Crew& crew);
 
 /// By a plane, with parts of a triangle on both sides: see "Spatial Splits in Bounding Volume Hierarchies",
 /// by M. Stich, H. Friedrich and A. Dietrich.
 /// `room` is for how many further references there may be.
 Split find_spatial_split(const Group& group, std::span<const Reference> references, std::size_t room,
-                         const Soup& soup, const Rules& rules, Crew& crew);
+                         const Soup& soup, const TreeSettings& settings, Crew& crew);
 
 /// Of a spatial split.
 inline float plane_of(const Split& split) {

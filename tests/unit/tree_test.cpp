@@ -272,8 +272,19 @@ double work_in_room(const Triangles& scene, const TreeSettings& settings) {
 
 TEST(Tree, large_walls_are_parted_from_small_things_by_size) {
     const Triangles scene = with(room(3), flake(2, 8));
-    EXPECT_LT(work_in_room(scene, settings_of(TreeMethod::sah, true)),
-              0.9 * work_in_room(scene, settings_of(TreeMethod::sah, false)));
+    TreeSettings with_sizes = settings_of(TreeMethod::sah, true),
+                 without = settings_of(TreeMethod::sah, false);
+    with_sizes.reinsertion.passes_most = without.reinsertion.passes_most = 0;
+    EXPECT_LT(work_in_room(scene, with_sizes), 0.9 * work_in_room(scene, without));
+}
+
+TEST(Tree, what_moves_to_better_places_saves_work) {
+    const Triangles scene = with(room(3), slivers(2000));
+    TreeSettings resting = settings_of(TreeMethod::spatial, true), moving = resting;
+    resting.reinsertion.passes_most = 0;
+    EXPECT_LT(work_in_room(scene, moving), 0.85 * work_in_room(scene, resting));
+    EXPECT_LT(build_tree(scene, TreeLayout::bvh2, moving, 1).facts.sah_cost,
+              0.9 * build_tree(scene, TreeLayout::bvh2, resting, 1).facts.sah_cost);
 }
 
 TEST(Tree, space_is_split_only_where_there_is_room_for_more_references) {
@@ -310,6 +321,10 @@ TEST(Tree, senseless_settings_are_refused) {
               "tree setting spatial.depth_most -1: must be 0 to 64");
     EXPECT_EQ(refused([](TreeSettings& s) { s.spatial.room = 4; }),
               "tree setting spatial.room 4: must be 0 to 3");
+    EXPECT_EQ(refused([](TreeSettings& s) { s.reinsertion.passes_most = 101; }),
+              "tree setting reinsertion.passes_most 101: must be 0 to 100");
+    EXPECT_EQ(refused([](TreeSettings& s) { s.reinsertion.gain_least = -0.5f; }),
+              "tree setting reinsertion.gain_least -0.5: must be 0 to 1");
     EXPECT_EQ(refused([](TreeSettings& s) { s.cost.triangle = 0; }),
               "tree setting cost.triangle 0: must be 0.01 to 100");
     EXPECT_EQ(refused([](TreeSettings& s) { s.cost.block = 1e3f; }),
