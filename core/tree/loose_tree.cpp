@@ -21,11 +21,6 @@ LooseTree::LooseTree(const BinaryTree& tree) : nodes_(tree.nodes.size()) {
     }
 }
 
-std::uint32_t LooseTree::sibling_of(std::uint32_t i) const {
-    const auto& child = nodes_[nodes_[i].parent].child;
-    return child[0] == i ? child[1] : child[0];
-}
-
 bool LooseTree::may_move(std::uint32_t node, std::uint32_t to, int depth_most) const {
     int depth = std::max(nodes_[node].height, nodes_[to].height) + 1;
     for (std::uint32_t i = to; i != LooseNode::none; i = nodes_[i].parent) {

@@ -31,7 +31,10 @@ class LooseTree {
 
     /// Nodes that have a grandparent.
     bool can_move(std::uint32_t i) const { return i != root_ && nodes_[i].parent != root_; }
-    std::uint32_t sibling_of(std::uint32_t i) const;
+    std::uint32_t sibling_of(std::uint32_t i) const {
+        const auto& child = nodes_[nodes_[i].parent].child;
+        return child[0] == i ? child[1] : child[0];
+    }
 
     /// Whether `to` is not below the node, and the tree no deeper than allowed afterwards.
     bool may_move(std::uint32_t node, std::uint32_t to, int depth_most) const;

@@ -130,25 +130,25 @@ double make_moves(LooseTree& tree, const std::vector<Move>& moves, int depth_mos
     return gain;
 }
 
-/// The node and those above it by a few levels, with their siblings.
-void add_around(Numbers& numbers, const LooseTree& tree, std::uint32_t node) {
+/// Marks the node and those above it by a few levels, with their siblings.
+void mark_around(std::vector<bool>& marked, const LooseTree& tree, std::uint32_t node) {
     constexpr int levels = 2;
     for (int i = 0; i < levels && tree[node].parent != LooseNode::none; ++i) {
-        numbers.push_back(node);
-        numbers.push_back(tree.sibling_of(node));
+        marked[node] = marked[tree.sibling_of(node)] = true;
         node = tree[node].parent;
     }
 }
 
 /// What may gain next: what could before, and what is around. Most of the tree rests after the first pass.
 Numbers next_candidates(const LooseTree& tree, const std::vector<Move>& moves) {
-    Numbers numbers;
+    std::vector<bool> marked(tree.size(), false);
     for (const Move& move : moves) {
-        add_around(numbers, tree, move.node);
-        add_around(numbers, tree, move.to);
+        mark_around(marked, tree, move.node);
+        mark_around(marked, tree, move.to);
     }
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    Numbers numbers;
+    for (std::uint32_t i = 0; i < tree.size(); ++i)
+        if (marked[i]) numbers.push_back(i);
     return numbers;
 }
 

