@@ -42,6 +42,13 @@ bool spatial_may_help(const Range& range, const Split& object, int depth, const 
            (!object.found() || half_area(intersection(object.left, object.right)) > site.overlap_least);
 }
 
+/// Parts of triangles that are better off whole may leave nothing on a side of a plane.
+Halves halve_if_undivided(const Halves& halves) {
+    if (halves.left.group.count == 0) return halve(halves.right);
+    if (halves.right.group.count == 0) return halve(halves.left);
+    return halves;
+}
+
 /// The children of a node of several references.
 Halves divide(const Range& range, int depth, const Site& site) {
     const auto references = range.references();
@@ -51,7 +58,7 @@ Halves divide(const Range& range, int depth, const Site& site) {
         spatial =
             find_spatial_split(range.group, references, range.room(), site.soup, site.settings, site.crew);
     if (spatial.work < object.work && deep_enough(spatial, depth, site.settings))
-        return part(range, spatial, &site.soup);
+        return halve_if_undivided(part(range, spatial, &site.soup));
     if (deep_enough(object, depth, site.settings)) return part(range, object, nullptr);
     return halve(range);
 }
