@@ -19,6 +19,7 @@ libboost-dev            processes, quantiles
 libboost-filesystem-dev needed by Boost.Process
 libopenexr-dev          EXR images
 libpng-dev              PNG images
+libassimp-dev           meshes
 libwebp-dev             small pictures in reports
 zlib1g-dev              small data in reports
 libjs-chart.js          charts in reports

@@ -103,6 +103,8 @@ std::string unsupported_reason(const Integrator& integrator, const ocl::Device& 
     if (std::find(integrator.lanes.begin(), integrator.lanes.end(), job.lanes) == integrator.lanes.end())
         return fmt::format("lanes {}: {} has {}", job.lanes, integrator.id,
                            fmt::join(integrator.lanes, ", "));
+    if (!scene.meshes.empty() && !integrator.meshes)
+        return fmt::format("scene {} has meshes: {} sees spheres alone", scene.name, integrator.id);
     if (paths_per_item(device, scene, job.path_length) == 0)
         return fmt::format("path_length {} with {} spheres: this device drops what loops do after {} turns",
                            job.path_length, scene.spheres.size(), ocl::loop_limit(device.info));

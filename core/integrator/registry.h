@@ -35,6 +35,8 @@ struct Integrator {
     bool only_asks = false;          ///< finds no light at matte surfaces that it cannot ask for
     bool counts_full_length = true;  ///< its film counts samples and full-length paths
 
+    bool meshes = false;  ///< sees meshes, and not spheres alone
+
     /// No path adds to two pixels, so that the error of one follows from the variance of its own samples.
     bool independent_pixels = true;
     std::string truth = {};  ///< the kernel whose references and host tracer judge its films, if not itself

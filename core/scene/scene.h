@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/mesh/mesh.h"
 #include "core/scene/vec3.h"
 
 namespace ptb {
@@ -35,16 +36,22 @@ struct Camera {
     double fov_deg = 40;
 };
 
-/// A scene as its file states it: spheres in the file's order, lengths in scene units.
+/// A scene as its file states it: spheres and meshes in the file's order, lengths in scene units.
 struct Scene {
     std::string name;
     Camera camera;
     std::vector<Material> materials;
     std::vector<Sphere> spheres;
+    std::vector<Mesh> meshes = {};
 };
 
-/// Reads a scene from JSON text; `origin` names it in errors. Unknown keys are errors. Throws UsageError.
-Scene parse_scene(std::string_view json_text, const std::string& origin);
+/// Of all meshes; they are numbered through, mesh by mesh.
+std::size_t triangle_count(const Scene& scene);
+
+/// Reads a scene from JSON text; `origin` names it in errors, files of meshes are relative to `folder`.
+/// Unknown keys are errors. Throws UsageError.
+Scene parse_scene(std::string_view json_text, const std::string& origin,
+                  const std::filesystem::path& folder = {});
 
 /// Reads a scene file. Throws UsageError, also when the file cannot be read.
 Scene load_scene(const std::filesystem::path& file);
