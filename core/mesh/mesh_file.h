@@ -1,17 +1,28 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 
 #include "core/mesh/geometry.h"
 
 namespace ptb {
 
-/// The triangles of an OBJ, PLY, STL, glTF or GLB file, polygons cut into triangles. Throws UsageError, one
-/// line that begins with what is wrong and names the file.
 struct MeshFile {
     Geometry geometry;
     std::uint64_t points_and_lines = 0;  ///< which are left out
 };
-MeshFile read_mesh_file(const std::filesystem::path& file);
+
+struct MeshFileOptions {
+    std::uint64_t most_triangles = 20'000'000;
+    std::function<void(double done)> on_progress = {};  ///< a share, from 0 to 1
+};
+
+/// Bytes of memory that a file takes to read, as far as its size tells; 0 where there is no such file.
+std::uint64_t mesh_file_memory(const std::filesystem::path& file);
+
+/// The triangles of an OBJ, PLY, STL, glTF or GLB file, polygons cut into triangles. Throws UsageError
+/// "cannot read bunny.obj: why", one line.
+MeshFile read_mesh_file(const std::filesystem::path& file, const MeshFileOptions& options = {});
 
 }  // namespace ptb

@@ -10,7 +10,7 @@
 #include "core/input/printable.h"
 #include "core/input/usage_error.h"
 #include "core/mesh/mesh_file.h"
-#include "core/mesh/shapes.h"
+#include "core/mesh/shapes/shapes.h"
 #include "core/mesh/transform.h"
 
 namespace ptb {
@@ -36,29 +36,44 @@ struct Source {
     MeshFile mesh;
 };
 
-Source read_shape(const Node& entry) {
+std::string shape_names() {
     std::vector<std::string> names;
     for (const Shape& shape : shapes()) names.push_back(shape.name);
-    const Node name_node = entry.at("shape");
-    const std::string name = read_string(name_node, fmt::format("one of {}", fmt::join(names, ", ")));
-    const auto shape =
-        std::find_if(shapes().begin(), shapes().end(), [&](const Shape& each) { return each.name == name; });
-    if (shape == shapes().end())
-        name_node.refuse(fmt::format("one of {}", fmt::join(names, ", ")) + did_you_mean(name, names));
-    const Node detail_node = entry.at("detail");
-    const std::string rule = fmt::format("an integer from 0 to {}", shape->most_detail);
-    const Json& detail = detail_node.json;
-    if (!detail.is_number_unsigned() ||
-        detail.get<std::uint64_t>() > static_cast<unsigned>(shape->most_detail))
-        detail_node.refuse(rule);
-    return {fmt::format("{} {}", name, detail.get<int>()), {shape->make(detail.get<int>()), 0}};
+    return fmt::format("one of {}", fmt::join(names, ", "));
 }
 
-Source read_file(const Node& entry, const std::filesystem::path& folder) {
+const Shape& shape_of(const Node& node) {
+    std::vector<std::string> names;
+    const std::string name = node.text(shape_names());
+    for (const Shape& shape : shapes()) {
+        if (shape.name == name) return shape;
+        names.push_back(shape.name);
+    }
+    node.refuse(shape_names() + did_you_mean(name, names));
+}
+
+Source read_shape(const Node& entry, std::uint64_t most_triangles) {
+    const Shape& shape = shape_of(entry.at("shape"));
+    const int most = shape.most_detail(most_triangles);
+    if (most < 0)
+        entry.where.fail(fmt::format("{} has at least {} triangles; allowed: {}", shape.name,
+                                     shape.triangles(0), most_triangles));
+    const auto detail = static_cast<int>(entry.at("detail").integer(0, static_cast<std::uint64_t>(most)));
+    return {fmt::format("{} {}", shape.name, detail), {shape.make(detail), 0}};
+}
+
+Source read_file(const Node& entry, const MeshReading& reading, std::uint64_t most_triangles) {
     const Node node = entry.at("file");
-    const std::string name = read_string(node, "the path of a mesh's file");
+    const std::string name = node.text("the path of a mesh's file");
+    const std::filesystem::path file = reading.folder / name;
+    MeshFileOptions options{most_triangles};
+    if (reading.on_file) {
+        const std::uint64_t memory = mesh_file_memory(file);
+        reading.on_file(name, memory, 0);
+        options.on_progress = [=, &reading](double done) { reading.on_file(name, memory, done); };
+    }
     try {
-        return {name, read_mesh_file(folder / name)};
+        return {name, read_mesh_file(file, options)};
     } catch (const UsageError& error) {
         node.where.fail(error.what());
     }
@@ -93,7 +108,8 @@ void place(const Geometry& geometry, const Transform& transform, const Where& wh
     mesh.dropped.triangles = geometry.faces().size() - mesh.faces.size();
 }
 
-Mesh read_mesh(const Node& entry, const MaterialIndex& materials, const std::filesystem::path& folder) {
+Mesh read_mesh(const Node& entry, const MaterialIndex& materials, const MeshReading& reading,
+               std::uint64_t most_triangles) {
     allow_only(entry.json, entry.where, {"file", "shape", "detail", "material", "transform"});
     if (entry.has("file") && entry.has("shape"))
         entry.where.fail("found both \"file\" and \"shape\"; allowed: one of them");
@@ -105,7 +121,8 @@ Mesh read_mesh(const Node& entry, const MaterialIndex& materials, const std::fil
     mesh.material = materials.read(entry.at("material"));
     Transform transform;
     if (entry.has("transform")) transform = read_transform(entry.at("transform"));
-    const Source source = entry.has("file") ? read_file(entry, folder) : read_shape(entry);
+    const Source source =
+        entry.has("file") ? read_file(entry, reading, most_triangles) : read_shape(entry, most_triangles);
     mesh.name = source.name;
     mesh.dropped.points_and_lines = source.mesh.points_and_lines;
     if (materials[mesh.material].type == MaterialType::dielectric)
@@ -120,12 +137,14 @@ Mesh read_mesh(const Node& entry, const MaterialIndex& materials, const std::fil
 
 }  // namespace
 
-std::vector<Mesh> read_meshes(const Node& list, const MaterialIndex& materials,
-                              const std::filesystem::path& folder) {
+std::vector<Mesh> read_meshes(const Node& list, const MaterialIndex& materials, const MeshReading& reading) {
     if (!list.json.is_array()) list.refuse("a list of meshes");
     std::vector<Mesh> meshes;
-    for (std::size_t i = 0; i < list.json.size(); ++i)
-        meshes.push_back(read_mesh(list.at(i), materials, folder));
+    std::uint64_t left = reading.most_triangles;
+    for (std::size_t i = 0; i < list.json.size(); ++i) {
+        meshes.push_back(read_mesh(list.at(i), materials, reading, left));
+        left -= meshes.back().faces.size();
+    }
     return meshes;
 }
 

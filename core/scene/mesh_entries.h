@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "core/scene/node.h"
@@ -9,6 +8,6 @@ namespace ptb {
 
 /// The meshes of a scene file's list, placed in the world. Throws UsageError.
 std::vector<Mesh> read_meshes(const scene_json::Node& list, const scene_json::MaterialIndex& materials,
-                              const std::filesystem::path& folder);
+                              const MeshReading& reading);
 
 }  // namespace ptb

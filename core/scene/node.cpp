@@ -23,17 +23,12 @@ Vec3 read_vec3(const Node& node, const Range& range) {
     return {parts[0], parts[1], parts[2]};
 }
 
-std::string read_string(const Node& node, const std::string& allowed) {
-    if (!node.json.is_string()) node.refuse(allowed);
-    return node.json.get<std::string>();
-}
-
 MaterialIndex::MaterialIndex(const std::vector<Material>& materials) : materials_(materials) {
     for (const Material& material : materials) index_.emplace(material.name, static_cast<int>(index_.size()));
 }
 
 int MaterialIndex::read(const Node& node) const {
-    const auto found = index_.find(read_string(node, "the name of a material"));
+    const auto found = index_.find(node.text("the name of a material"));
     if (found != index_.end()) return found->second;
     std::vector<std::string> names;
     for (const Material& material : materials_) names.push_back(material.name);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/input/json.h"
+#include "core/input/json_node.h"
 #include "core/scene/scene.h"
 
 /// How the readers of a scene's parts read and refuse.
@@ -20,20 +20,10 @@ struct Range {
 inline constexpr double largest = 1e18;
 inline const Range coordinate_range = {-largest, largest, "a finite number, at most 1e18 from zero"};
 
-/// One value of the file and where it stands.
-struct Node {
-    const Json& json;
-    Where where;
-
-    Node at(const std::string& key) const { return {member(json, where, key), Where(where, key)}; }
-    Node at(std::size_t index) const { return {json[index], Where(where, index)}; }
-    bool has(const std::string& key) const { return json.contains(key); }
-    [[noreturn]] void refuse(const std::string& allowed) const { where.refuse(json, allowed); }
-};
+using Node = JsonNode;
 
 double read_number(const Node& node, const Range& range);
 Vec3 read_vec3(const Node& node, const Range& range);
-std::string read_string(const Node& node, const std::string& allowed);
 
 /// The scene's materials by name.
 class MaterialIndex {

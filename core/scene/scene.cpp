@@ -30,7 +30,7 @@ const Range fov_range = {tiny, std::nextafter(180.0, 0.0), "an angle between 0 a
 std::string read_name(const Node& node) {
     const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
     const std::string rule = "1 to 64 letters, digits, '_', '-' or '.', the first one no '-' or '.'";
-    const std::string name = read_string(node, rule);
+    const std::string name = node.text(rule);
     if (name.empty() || name.size() > 64 || letters.find(name[0]) == std::string::npos ||
         name.find_first_not_of(letters + "-.") != std::string::npos)
         node.refuse(rule);
@@ -98,7 +98,7 @@ Material read_material(const std::string& name, const Node& node) {
     for (const MaterialReader& reader : material_readers) words.push_back(reader.word);
     const std::string rule = fmt::format("one of {}", fmt::join(words, ", "));
     const Node type = node.at("type");
-    const std::string word = read_string(type, rule);
+    const std::string word = type.text(rule);
     for (const MaterialReader& reader : material_readers) {
         if (reader.word != word) continue;
         Material material = reader.read(node);
@@ -170,8 +170,7 @@ std::size_t triangle_count(const Scene& scene) {
     return count;
 }
 
-Scene parse_scene(std::string_view json_text, const std::string& origin,
-                  const std::filesystem::path& folder) {
+Scene parse_scene(std::string_view json_text, const std::string& origin, const MeshReading& reading) {
     const Json json = parse_json(json_text, origin);
     const Node root{json, Where(origin)};
     allow_only(json, root.where, {"name", "camera", "materials", "spheres", "meshes"});
@@ -181,14 +180,14 @@ Scene parse_scene(std::string_view json_text, const std::string& origin,
     scene.materials = read_materials(root.at("materials"));
     const MaterialIndex materials(scene.materials);
     scene.spheres = read_spheres(root.at("spheres"), materials);
-    if (root.has("meshes")) scene.meshes = read_meshes(root.at("meshes"), materials, folder);
+    if (root.has("meshes")) scene.meshes = read_meshes(root.at("meshes"), materials, reading);
     if (scene.spheres.empty() && scene.meshes.empty())
         root.at("spheres").refuse("a list of at least one sphere, or else \"meshes\"");
     return scene;
 }
 
 Scene load_scene(const std::filesystem::path& file) {
-    return parse_scene(read_text(file), file.string(), file.parent_path());
+    return parse_scene(read_text(file), file.string(), {.folder = file.parent_path()});
 }
 
 }  // namespace ptb

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,12 +50,20 @@ struct Scene {
 /// Of all meshes; they are numbered through, mesh by mesh.
 std::size_t triangle_count(const Scene& scene);
 
-/// Reads a scene from JSON text; `origin` names it in errors, files of meshes are relative to `folder`.
-/// Unknown keys are errors. Throws UsageError.
-Scene parse_scene(std::string_view json_text, const std::string& origin,
-                  const std::filesystem::path& folder = {});
+/// How the meshes of a scene are read.
+struct MeshReading {
+    std::filesystem::path folder = {};          ///< files are relative to it
+    std::uint64_t most_triangles = 20'000'000;  ///< of a scene
+    /// Before a mesh's file is read, and while it is: its name, bytes of memory that this takes, the share
+    /// that is done.
+    std::function<void(const std::string& name, std::uint64_t memory_bytes, double done)> on_file = {};
+};
 
-/// Reads a scene file. Throws UsageError, also when the file cannot be read.
+/// Reads a scene from JSON text; `origin` names it in errors. Unknown keys are errors. Throws UsageError.
+Scene parse_scene(std::string_view json_text, const std::string& origin, const MeshReading& reading = {});
+
+/// Reads a scene file, and the files beside it that it names. Throws UsageError, also when one cannot be
+/// read.
 Scene load_scene(const std::filesystem::path& file);
 
 }  // namespace ptb

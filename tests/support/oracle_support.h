@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/shapes.h"
+#include "core/mesh/shapes/shapes.h"
 #include "core/mesh/transform.h"
 #include "core/oracle/oracle.h"
 #include "core/scene/scene.h"

@@ -37,7 +37,7 @@ class MeshOfScene : public ::testing::Test {
         return scene.dump();
     }
     Mesh read(const json& mesh) const {
-        return parse_scene(text_of(mesh), "scene.json", folder_).meshes.at(0);
+        return parse_scene(text_of(mesh), "scene.json", {.folder = folder_}).meshes.at(0);
     }
     Mesh read_file(const std::string& name, const std::string& text,
                    const std::string& material = "grey") const {
