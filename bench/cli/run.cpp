@@ -27,8 +27,7 @@
 #include "bench/record/journal.h"
 #include "bench/report/table.h"
 #include "bench/worker/progress.h"
-#include "core/input/json.h"
-#include "core/source/source.h"
+#include "core/scene/content.h"
 
 namespace ptb {
 namespace {
@@ -59,19 +58,18 @@ struct Prepared {
     std::optional<ResultFile> earlier;  ///< the run to go on with
     Config config;
     PublishedTable published;
+    std::vector<std::string> remarks;  ///< on the scenes
     DeviceList list;
     std::vector<Case> tuned;  ///< what the plan takes where the config leaves a launch open
     std::vector<Case> planned;
     RunPlan plan;  ///< of the planned cases those that have no record
 };
 
-void check_before_devices(const Config& config) { check_names(expand(config, {DeviceInfo()})); }
-
 Prepared prepare(const Options& options) {
     Prepared prepared;
     prepared.earlier = earlier_run(options.run);
     prepared.config = configured(options.run, options.common, prepared.earlier);
-    check_before_devices(prepared.config);
+    prepared.remarks = check_names(expand(prepared.config, {DeviceInfo()}), options.common);
     prepared.published = read_published(data_dir() / "results" / "thesis-2016.json");
     prepared.list = find_devices(options.common);
     if (!any_usable(prepared.list)) return prepared;
@@ -132,6 +130,7 @@ ResultFile start_result(const Prepared& prepared, const Options& options,
                  [](const DeviceInfo& device) { return !device.excluded.empty(); });
     result.broken_icds = prepared.list.broken;
     result.warnings = warnings_before(result.host, options);
+    result.warnings.insert(result.warnings.end(), prepared.remarks.begin(), prepared.remarks.end());
     return result;
 }
 
@@ -139,8 +138,7 @@ std::vector<std::string> hashed_scenes(const std::vector<Case>& cases) {
     std::set<std::string> names;
     for (const Case& c : cases) names.insert(c.scene);
     std::vector<std::string> scenes;
-    for (const auto& name : names)
-        scenes.push_back(name + " " + text_hash(read_text(scene_file(name, data_dir()))));
+    for (const auto& name : names) scenes.push_back(name + " " + scene_hash(scene_file(name, data_dir())));
     return scenes;
 }
 

@@ -220,7 +220,7 @@ struct RunInfo {
     double wall_s = 0;                    ///< of all parts of a resumed run that came to their end
     JsonText settings;                    ///< what flags made of the config, as --dump-config
     std::vector<std::string> resumed_at;  ///< ISO 8601, UTC
-    std::vector<std::string> scenes;      ///< of the plan: "furnace 9f86d081884c7d65", name and text_hash
+    std::vector<std::string> scenes;      ///< of the plan: "furnace 9f86d081884c7d65", name and scene_hash
     std::vector<Case> tuned;       ///< what `ptbench tune` had found for devices and kernels of the plan
     double coordinator_cpu_s = 0;  ///< of the process that drives the workers: what measuring costs
     bool operator==(const RunInfo&) const = default;

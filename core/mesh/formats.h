@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 /// What is looked at before a mesh's file is given to assimp, which believes what files say of themselves.
 namespace ptb::mesh_formats {
@@ -27,5 +28,8 @@ void check_ply(const File& file);
 /// The triangles of a glTF or GLB document, and nothing else of it, as GLB whose parts are known to fit
 /// together.
 std::string bare_glb(const File& file);
+
+/// Files beside a glTF document that its buffers are in.
+std::vector<std::filesystem::path> buffer_files(const File& file);
 
 }  // namespace ptb::mesh_formats

@@ -53,16 +53,10 @@ Document open_glb(const File& file) {
     return document;
 }
 
-JsonNode list(const JsonNode& parent, const std::string& key) {
-    const JsonNode node = parent.at(key);
-    if (!node.json.is_array()) node.refuse("a list");
-    return node;
-}
-
 /// An index into a list of the document.
 std::size_t index(const JsonNode& node, const JsonNode& of) {
     if (of.json.empty()) node.refuse("nothing, since that list is empty");
-    return node.integer(0, of.json.size() - 1);
+    return node.integer(0, of.size() - 1);
 }
 
 std::uint64_t integer_or(const JsonNode& parent, const std::string& key, std::uint64_t otherwise) {
@@ -98,8 +92,8 @@ class BareDocument {
     /// Some change what triangles there are.
     void check_extensions() {
         if (!root_.has("extensionsRequired")) return;
-        const JsonNode required = list(root_, "extensionsRequired");
-        for (std::size_t i = 0; i < required.json.size(); ++i) {
+        const JsonNode required = root_.list("extensionsRequired");
+        for (std::size_t i = 0; i < required.size(); ++i) {
             const std::string name = required.at(i).text("the name of an extension");
             if (!name.starts_with("KHR_materials_") && !name.starts_with("KHR_texture_"))
                 required.at(i).refuse("extensions of materials and textures alone");
@@ -107,8 +101,8 @@ class BareDocument {
     }
 
     void add_buffers() {
-        const JsonNode buffers = list(root_, "buffers");
-        for (std::size_t i = 0; i < buffers.json.size(); ++i) {
+        const JsonNode buffers = root_.list("buffers");
+        for (std::size_t i = 0; i < buffers.size(); ++i) {
             const JsonNode buffer = buffers.at(i);
             const std::string bytes = bytes_of(buffer);
             const std::uint64_t length = buffer.at("byteLength").integer(1, most_bytes);
@@ -153,8 +147,8 @@ class BareDocument {
 
     void add_views() {
         bare_["bufferViews"] = Json::array();
-        const JsonNode views = list(root_, "bufferViews");
-        for (std::size_t i = 0; i < views.json.size(); ++i) {
+        const JsonNode views = root_.list("bufferViews");
+        for (std::size_t i = 0; i < views.size(); ++i) {
             const JsonNode view = views.at(i);
             const std::size_t buffer = index(view.at("buffer"), root_.at("buffers"));
             const std::uint64_t offset = integer_or(view, "byteOffset", 0);
@@ -172,8 +166,8 @@ class BareDocument {
 
     void add_accessors() {
         bare_["accessors"] = Json::array();
-        const JsonNode accessors = list(root_, "accessors");
-        for (std::size_t i = 0; i < accessors.json.size(); ++i)
+        const JsonNode accessors = root_.list("accessors");
+        for (std::size_t i = 0; i < accessors.size(); ++i)
             bare_["accessors"].push_back(bare_accessor(accessors.at(i)));
     }
 
@@ -206,11 +200,12 @@ class BareDocument {
 
     void add_meshes() {
         bare_["meshes"] = Json::array();
-        const JsonNode meshes = list(root_, "meshes");
-        for (std::size_t i = 0; i < meshes.json.size(); ++i) {
-            const JsonNode primitives = list(meshes.at(i), "primitives");
+        const JsonNode meshes = root_.list("meshes");
+        for (std::size_t i = 0; i < meshes.size(); ++i) {
+            const JsonNode mesh = meshes.at(i);
+            const JsonNode primitives = mesh.list("primitives");
             Json bare = Json::array();
-            for (std::size_t k = 0; k < primitives.json.size(); ++k)
+            for (std::size_t k = 0; k < primitives.size(); ++k)
                 bare.push_back(bare_primitive(primitives.at(k)));
             bare_["meshes"].push_back({{"primitives", bare}});
         }
@@ -218,7 +213,8 @@ class BareDocument {
 
     Json bare_primitive(const JsonNode& primitive) const {
         const JsonNode accessors = root_.at("accessors");
-        const JsonNode position = primitive.at("attributes").at("POSITION");
+        const JsonNode attributes = primitive.at("attributes");
+        const JsonNode position = attributes.at("POSITION");
         const std::size_t number = index(position, accessors);
         const Json& values = bare_["accessors"][number];
         if (values["type"] != "VEC3" || values["componentType"] != 5126)
@@ -240,17 +236,17 @@ class BareDocument {
 
     void add_nodes() {
         bare_["nodes"] = Json::array();
-        const JsonNode nodes = list(root_, "nodes");
-        parents_.assign(nodes.json.size(), -1);
-        for (std::size_t i = 0; i < nodes.json.size(); ++i) bare_["nodes"].push_back(bare_node(nodes, i));
-        for (std::size_t i = 0; i < nodes.json.size(); ++i) {
+        const JsonNode nodes = root_.list("nodes");
+        parents_.assign(nodes.size(), -1);
+        for (std::size_t i = 0; i < nodes.size(); ++i) bare_["nodes"].push_back(bare_node(nodes, i));
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
             int depth = 0;
             for (int at = static_cast<int>(i); at >= 0 && depth <= deepest_node;
                  at = parents_[static_cast<std::size_t>(at)])
                 ++depth;
             if (depth > deepest_node)
-                nodes.at(i).where.fail(
-                    fmt::format("it is below itself, or below more than {} nodes", deepest_node));
+                nodes.at(i).where.fail(fmt::format(
+                    "it is below itself, or deep down; allowed: a tree of at most {} levels", deepest_node));
         }
     }
 
@@ -262,9 +258,9 @@ class BareDocument {
                                          std::pair("rotation", 4U), std::pair("scale", 3U)})
             if (node.has(key)) bare[key] = numbers(node.at(key), count);
         if (!node.has("children")) return bare;
-        const JsonNode children = list(node, "children");
+        const JsonNode children = node.list("children");
         bare["children"] = Json::array();
-        for (std::size_t i = 0; i < children.json.size(); ++i) {
+        for (std::size_t i = 0; i < children.size(); ++i) {
             const std::size_t child = index(children.at(i), nodes);
             if (parents_[child] >= 0) children.at(i).refuse("a node that is nobody else's child");
             parents_[child] = static_cast<int>(number);
@@ -275,7 +271,7 @@ class BareDocument {
 
     static Json numbers(const JsonNode& node, std::size_t count) {
         const auto is_number = [](const Json& each) { return each.is_number(); };
-        if (!node.json.is_array() || node.json.size() != count ||
+        if (!node.json.is_array() || node.size() != count ||
             !std::all_of(node.json.begin(), node.json.end(), is_number))
             node.refuse(fmt::format("{} numbers", count));
         return node.json;
@@ -283,12 +279,13 @@ class BareDocument {
 
     /// The scene that is shown, of every root once.
     void add_scenes() {
-        const JsonNode scenes = list(root_, "scenes");
+        const JsonNode scenes = root_.list("scenes");
         if (scenes.json.empty()) scenes.refuse("at least one scene");
         const std::size_t shown = root_.has("scene") ? index(root_.at("scene"), scenes) : 0;
-        const JsonNode roots = list(scenes.at(shown), "nodes");
+        const JsonNode scene = scenes.at(shown);
+        const JsonNode roots = scene.list("nodes");
         std::vector<std::size_t> numbers_of_roots;
-        for (std::size_t i = 0; i < roots.json.size(); ++i) {
+        for (std::size_t i = 0; i < roots.size(); ++i) {
             const std::size_t node = index(roots.at(i), root_.at("nodes"));
             if (parents_[node] >= 0) roots.at(i).refuse("a node that is nobody's child");
             parents_[node] = static_cast<int>(node);
@@ -307,18 +304,40 @@ class BareDocument {
     std::vector<int> parents_;  ///< of nodes, -1 for none
 };
 
+std::string origin_of(const File& file) {
+    return fmt::format("cannot read {}", printable(file.path.string()));
+}
+
 }  // namespace
+
+std::vector<std::filesystem::path> buffer_files(const File& file) {
+    std::vector<std::filesystem::path> files;
+    const std::string origin = origin_of(file);
+    const Json json = parse_json(file.part(0, most_bytes), origin);
+    const JsonNode root{json, Where(origin)};
+    if (!root.has("buffers")) return files;
+    const JsonNode buffers = root.list("buffers");
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+        const JsonNode buffer = buffers.at(i);
+        if (!buffer.has("uri")) continue;
+        const JsonNode uri = buffer.at("uri");
+        const std::string text = uri.text("the URI of a buffer");
+        if (!text.starts_with("data:")) files.push_back(file.path.parent_path() / text);
+    }
+    return files;
+}
 
 std::string bare_glb(const File& file) {
     if (file.bytes > most_bytes) file.fail(fmt::format("it is larger than {} MiB", most_bytes >> 20));
     const bool is_glb = file.part(0, 4) == "glTF";
     if (!is_glb) check_text(file);
     const Document document = is_glb ? open_glb(file) : Document{file.part(0, file.bytes), {}};
-    const std::string origin = fmt::format("cannot read {}", file.path.string());
+    const std::string origin = origin_of(file);
     const Json json = parse_json(document.text, origin);
     const JsonNode root{json, Where(origin)};
-    const std::string version = root.at("asset").at("version").text("\"2.0\"");
-    if (!version.starts_with("2.")) root.at("asset").at("version").refuse("\"2.0\"");
+    const JsonNode asset = root.at("asset");
+    const JsonNode version = asset.at("version");
+    if (!version.text("\"2.0\"").starts_with("2.")) version.refuse("\"2.0\"");
     return BareDocument(file, document, root).glb();
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 #include "core/mesh/geometry.h"
 
@@ -17,6 +18,9 @@ struct MeshFileOptions {
     std::uint64_t most_triangles = 20'000'000;
     std::function<void(double done)> on_progress = {};  ///< a share, from 0 to 1
 };
+
+/// A mesh's file, and those of glTF's buffers beside it. Throws UsageError.
+std::vector<std::filesystem::path> files_of_mesh(const std::filesystem::path& file);
 
 /// Bytes of memory that a file takes to read, as far as its size tells; 0 where there is no such file.
 std::uint64_t mesh_file_memory(const std::filesystem::path& file);

@@ -27,7 +27,7 @@ void check_stl(const File& file) {
     const std::string head = file.part(0, stl_header_bytes + 4);
     std::uint32_t triangles = 0;
     if (head.size() == stl_header_bytes + 4) std::memcpy(&triangles, &head[stl_header_bytes], 4);
-    if (file.bytes == head.size() + triangles * stl_triangle_bytes) return;
+    if (file.bytes == stl_header_bytes + 4 + triangles * stl_triangle_bytes) return;
     if (!head.starts_with("solid"))
         file.fail(fmt::format("it has {} bytes; an STL file of the {} triangles that it says has {}",
                               file.bytes, triangles, stl_header_bytes + 4 + triangles * stl_triangle_bytes));

@@ -75,41 +75,65 @@ FacetHit meet(const Facet& facet, const PathRay& ray, const Shear& sheared) {
 }  // namespace
 
 Facets::Facets(const Scene& scene) {
-    double scale = largest_coordinate(scene.camera.position);
     for (const Mesh& mesh : scene.meshes)
-        for (const Face& face : mesh.faces) {
-            facets_.push_back(make_facet(mesh, face));
-            for (const std::uint32_t vertex : face)
-                scale = std::max(scale, largest_coordinate(mesh.vertices[vertex]));
-        }
-    const Vec3 margin = Vec3{1, 1, 1} * (1e-9 * scale);  // a million times the rounding of `clip`
-    for (std::size_t begin = 0; begin < facets_.size(); begin += group_size) {
-        Group group{begin, std::min(begin + group_size, facets_.size()), facets_[begin].a, facets_[begin].a};
-        for (std::size_t i = group.begin; i < group.end; ++i)
-            for (const Vec3& corner : {facets_[i].a, facets_[i].b, facets_[i].c}) {
-                group.low = lowest(group.low, corner);
-                group.high = highest(group.high, corner);
-            }
-        group.low = group.low - margin;
-        group.high = group.high + margin;
-        groups_.push_back(group);
+        for (const Face& face : mesh.faces) facets_.push_back(make_facet(mesh, face));
+    groups_ = (facets_.size() + group_size - 1) / group_size;
+    boxes_.resize(2 * groups_);
+    const Vec3 all_around = Vec3{1, 1, 1} * margin(scene);
+    for (std::size_t group = 0; group < groups_; ++group)
+        boxes_[groups_ + group] = box_of_group(group, all_around);
+    for (std::size_t i = groups_; i-- > 1;)
+        boxes_[i] = {lowest(boxes_[2 * i].low, boxes_[2 * i + 1].low),
+                     highest(boxes_[2 * i].high, boxes_[2 * i + 1].high)};
+}
+
+/// A million times the rounding of a box's test.
+double Facets::margin(const Scene& scene) const {
+    double largest = largest_coordinate(scene.camera.position);
+    for (const Facet& facet : facets_)
+        for (const Vec3& corner : {facet.a, facet.b, facet.c})
+            largest = std::max(largest, largest_coordinate(corner));
+    return 1e-9 * largest;
+}
+
+Facets::Box Facets::box_of_group(std::size_t group, const Vec3& margin) const {
+    const std::size_t begin = group * group_size, end = std::min(begin + group_size, facets_.size());
+    Box box = {facets_[begin].a, facets_[begin].a};
+    for (std::size_t i = begin; i < end; ++i)
+        for (const Vec3& corner : {facets_[i].a, facets_[i].b, facets_[i].c})
+            box = {lowest(box.low, corner), highest(box.high, corner)};
+    return {box.low - margin, box.high + margin};
+}
+
+void Facets::meet_group(std::size_t group, const PathRay& ray, int left_out, int other_left_out,
+                        FacetHit& best) const {
+    const Shear sheared(ray);
+    const std::size_t begin = group * group_size, end = std::min(begin + group_size, facets_.size());
+    for (std::size_t i = begin; i < end; ++i) {
+        const int number = static_cast<int>(i);
+        if (number == left_out || number == other_left_out) continue;
+        const FacetHit hit = meet(facets_[i], ray, sheared);
+        if (hit.distance < best.distance) best = {hit.distance, number, hit.position};
     }
 }
 
 FacetHit Facets::nearest(const PathRay& ray, int left_out, int other_left_out) const {
     FacetHit best;
-    const Shear sheared(ray);
-    for (const Group& group : groups_) {
+    std::vector<std::size_t> open;
+    if (groups_ > 0) open.push_back(1);
+    while (!open.empty()) {
+        const std::size_t i = open.back();
+        open.pop_back();
         double begin = 0, end = best.distance;
-        clip(group.low.x, group.high.x, ray.origin.x, ray.direction.x, begin, end);
-        clip(group.low.y, group.high.y, ray.origin.y, ray.direction.y, begin, end);
-        clip(group.low.z, group.high.z, ray.origin.z, ray.direction.z, begin, end);
+        clip(boxes_[i].low.x, boxes_[i].high.x, ray.origin.x, ray.direction.x, begin, end);
+        clip(boxes_[i].low.y, boxes_[i].high.y, ray.origin.y, ray.direction.y, begin, end);
+        clip(boxes_[i].low.z, boxes_[i].high.z, ray.origin.z, ray.direction.z, begin, end);
         if (begin > end) continue;
-        for (std::size_t i = group.begin; i < group.end; ++i) {
-            const int number = static_cast<int>(i);
-            if (number == left_out || number == other_left_out) continue;
-            const FacetHit hit = meet(facets_[i], ray, sheared);
-            if (hit.distance < best.distance) best = {hit.distance, number, hit.position};
+        if (i >= groups_) {
+            meet_group(i - groups_, ray, left_out, other_left_out, best);
+        } else {
+            open.push_back(2 * i);
+            open.push_back(2 * i + 1);
         }
     }
     return best;

@@ -39,14 +39,20 @@ class Facets {
     FacetHit nearest(const PathRay& ray, int left_out, int other_left_out) const;
 
   private:
-    /// Facets that follow each other, and a box that holds them.
-    struct Group {
-        std::size_t begin, end;
+    struct Box {
         Vec3 low, high;
     };
 
+    double margin(const Scene& scene) const;
+    Box box_of_group(std::size_t group, const Vec3& margin) const;
+    void meet_group(std::size_t group, const PathRay& ray, int left_out, int other_left_out,
+                    FacetHit& best) const;
+
     std::vector<Facet> facets_;
-    std::vector<Group> groups_;
+    std::size_t groups_ = 0;  ///< of facets that follow each other
+    /// Of box i the halves are 2 i and 2 i + 1; the last `groups_` boxes are those of the groups. 1 holds
+    /// all.
+    std::vector<Box> boxes_;
 };
 
 }  // namespace ptb

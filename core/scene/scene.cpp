@@ -186,8 +186,9 @@ Scene parse_scene(std::string_view json_text, const std::string& origin, const M
     return scene;
 }
 
-Scene load_scene(const std::filesystem::path& file) {
-    return parse_scene(read_text(file), file.string(), {.folder = file.parent_path()});
+Scene load_scene(const std::filesystem::path& file, MeshReading reading) {
+    reading.folder = file.parent_path();
+    return parse_scene(read_text(file), file.string(), reading);
 }
 
 }  // namespace ptb

@@ -62,8 +62,8 @@ struct MeshReading {
 /// Reads a scene from JSON text; `origin` names it in errors. Unknown keys are errors. Throws UsageError.
 Scene parse_scene(std::string_view json_text, const std::string& origin, const MeshReading& reading = {});
 
-/// Reads a scene file, and the files beside it that it names. Throws UsageError, also when one cannot be
-/// read.
-Scene load_scene(const std::filesystem::path& file);
+/// Reads a scene file, and the files of its meshes, which are relative to its folder. Throws UsageError, also
+/// when one cannot be read.
+Scene load_scene(const std::filesystem::path& file, MeshReading reading = {});
 
 }  // namespace ptb

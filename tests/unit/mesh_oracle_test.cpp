@@ -1,6 +1,8 @@
 // The host's tracers among triangles, by closed forms and by the spheres that triangles come close to.
 #include <cmath>
+#include <filesystem>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -226,6 +228,29 @@ TEST(MeshOracle, a_scene_of_tessellated_balls_comes_to_agree_with_that_of_sphere
         EXPECT_GT(difference_in_noise(coarse), 6) << "octahedra are no balls";
         EXPECT_LT(difference_in_noise(fine), 4);
     }
+}
+
+TEST(MeshOracle, shipped_scenes_with_meshes_are_seen_and_rooms_are_closed) {
+    const std::set<std::string> open = {"cornell"};
+    int with_meshes = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(PTB_SOURCE_DIR) + "/configs/scenes")) {
+        if (entry.path().extension() != ".json") continue;
+        const Scene scene = load_scene(entry.path());
+        if (scene.meshes.empty()) continue;
+        SCOPED_TRACE(scene.name);
+        ++with_meshes;
+        const int spp = 4;
+        const OracleResult result = trace_pt(scene, job(8, spp, 6));
+        EXPECT_GT(estimate(result, spp).mean, 0.01) << "light is seen";
+        EXPECT_GT(2 * result.segments, 3 * result.samples) << "paths bounce";
+        // In a closed room a path ends at its length or at a lamp, so a black one is a full one.
+        std::uint64_t black = 0;
+        for (std::size_t i = 0; i < result.mean.rgb.size(); i += 3)
+            black += result.mean.rgb[i] == 0 ? 1U : 0U;
+        EXPECT_TRUE(open.contains(scene.name) || result.full_length_paths >= black * spp);
+    }
+    EXPECT_EQ(with_meshes, 7);
 }
 
 TEST(MeshOracle, the_thesis_tracer_refuses_meshes) {

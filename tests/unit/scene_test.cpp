@@ -82,8 +82,10 @@ TEST(Scene, only_an_emitter_without_albedo_ends_paths) {
 
 TEST(Scene, every_scene_that_comes_along_loads_and_is_named_like_its_file) {
     const std::filesystem::path folder = std::filesystem::path(PTB_SOURCE_DIR) / "configs/scenes";
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (!entry.is_regular_file()) continue;
         EXPECT_EQ(load_scene(entry.path()).name, entry.path().stem().string());
+    }
 }
 
 TEST(Scene, a_bad_number_is_named_with_its_pointer_and_the_rule) {
