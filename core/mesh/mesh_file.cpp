@@ -32,10 +32,10 @@ void File::fail(const std::string& why) const {
 std::string File::part(std::uintmax_t offset, std::size_t most) const {
     std::ifstream stream(path, std::ios::binary);
     stream.seekg(static_cast<std::streamoff>(offset));
-    std::string bytes(std::min<std::uintmax_t>(most, this->bytes - std::min(offset, this->bytes)), '\0');
-    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(stream.gcount()));
-    return bytes;
+    std::string text(std::min<std::uintmax_t>(most, bytes - std::min(offset, bytes)), '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    return text;
 }
 
 }  // namespace mesh_formats

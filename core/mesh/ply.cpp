@@ -1,5 +1,5 @@
+#include <cstdlib>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -11,6 +11,8 @@
 
 namespace ptb::mesh_formats {
 namespace {
+
+constexpr int longest_line = 1 << 16;
 
 struct PlyProperty {
     int list_count_bytes = 0;  ///< 0: it is one value
@@ -70,13 +72,14 @@ PlyHeader read_header(const File& file) {
     std::string line, word;
     if (!std::getline(lines, line) || !line.starts_with("ply")) file.fail("it does not begin with \"ply\"");
     while (std::getline(lines, line)) {
+        if (!line.empty() && line.back() == '\r') line.pop_back();
         std::istringstream words(line);
         word.clear();
         words >> word;
         if (word == "format") words >> header.encoding;
         if (word == "element") read_element(file, words, header);
         if (word == "property") read_property(file, words, header);
-        if (word != "end_header") continue;
+        if (line != "end_header") continue;
         header.bytes = lines.eof() ? start.size() : static_cast<std::uintmax_t>(lines.tellg());
         return header;
     }
@@ -133,15 +136,38 @@ class PlyWalk {
     bool big_endian_;
 };
 
-/// Of text, a line each.
+/// A row of a text file: as many numbers as its element has.
+bool is_row(const char* at, const PlyElement& element) {
+    const auto take = [&](double& value) {
+        char* end = nullptr;
+        value = std::strtod(at, &end);
+        const bool is_number = end != at && (*end == '\0' || *end == ' ' || *end == '\t' || *end == '\r');
+        at = end;
+        return is_number;
+    };
+    double value = 0;
+    for (const PlyProperty& property : element.properties) {
+        double count = 1;
+        if (property.list_count_bytes > 0 && !(take(count) && count >= 0 && count <= longest_line))
+            return false;
+        for (int i = 0; i < static_cast<int>(count); ++i)
+            if (!take(value)) return false;
+    }
+    return true;
+}
+
 void check_lines(const File& file, const PlyHeader& header) {
     check_text(file);
     std::ifstream stream(file.path, std::ios::binary);
     stream.seekg(static_cast<std::streamoff>(header.bytes));
+    std::string line(longest_line, '\0');
     for (const PlyElement& element : header.elements)
         for (std::uint64_t i = 0; i < element.count; ++i) {
             if (stream.peek() == std::ifstream::traits_type::eof()) fail_short(file, element);
-            stream.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+            stream.getline(line.data(), longest_line);
+            if (!stream || !is_row(line.c_str(), element))
+                file.fail(fmt::format("row {} of \"{}\" is not as its header says", i,
+                                      shortened(printable(element.name), 40)));
         }
 }
 

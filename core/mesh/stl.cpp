@@ -10,9 +10,7 @@ namespace {
 
 constexpr std::uintmax_t stl_header_bytes = 80, stl_triangle_bytes = 50;
 
-bool is_control(char c) {
-    return static_cast<unsigned char>(c) < 32 && std::strchr("\t\n\v\f\r", c) == nullptr;
-}
+bool is_control(char c) { return static_cast<unsigned char>(c) < 32 && c != '\t' && c != '\n' && c != '\r'; }
 
 }  // namespace
 

@@ -24,11 +24,12 @@ class MeshScenes(CliTest):
         self.scratch.write(f"{folder}mine.obj", text)
 
     def run_thesis(self, out):
-        self.scratch.run(*changed(ONE, kernel="thesis"), "--scene", "mine.json", "--out", out, "--json", f"{out}.json")
+        words = (*changed(ONE, kernel="thesis"), "--scene", "mine.json", "--out", out, "--json", f"{out}.json")
+        self.scratch.run(*words)
         return json.loads((self.scratch.work / f"{out}.json").read_text())
 
     def test_a_bad_mesh_is_refused_with_its_file_and_pointer(self):
-        self.write("v 0 0 0\n")
+        self.write("v 0 0 0\nv 1 0 0\nv 0 1 0\n")
         for words in (ONE, ("render", "-o", "x.png"), ("tune", "--kernel", "pt"), ("--dry-run",)):
             with self.subTest(words):
                 self.assert_refused(*words, "--scene", "mine.json",
@@ -58,7 +59,7 @@ class MeshScenes(CliTest):
         for file in (SOURCE / "configs/scenes").glob("*.json"):
             if "meshes" in json.loads(file.read_text()):
                 with self.subTest(file.stem):
-                    self.assertEqual(self.scratch.run(*changed(ONE, kernel="thesis"), "--scene", file.stem, "--dry-run").returncode, 0)
+                    self.run_ok(*changed(ONE, kernel="thesis"), "--scene", file.stem, "--dry-run")
 
 
 if __name__ == "__main__":
