@@ -9,8 +9,9 @@
 #include "engine/work.h"
 #include "lib/outlined.h"
 
-/* One lane a work-item keeps its loop in the kernel. A function that reads local memory PoCL compiles to a crash (3.1). */
-#if PTB_LANES > 1 && SCENE_SPHERES != SCENE_IN_LOCAL && SCENE_SURFACES != SCENE_IN_LOCAL
+/* One lane a work-item keeps its loop in the kernel, unless it is alone on a CPU, as it is among triangles: ENGINE_ALONE. A
+   function that reads local memory PoCL compiles to a crash (3.1). */
+#if (PTB_LANES > 1 || defined(ENGINE_ALONE)) && SCENE_SPHERES != SCENE_IN_LOCAL && SCENE_SURFACES != SCENE_IN_LOCAL
 #define ENGINE_OUTLINE OUTLINED
 #define ENGINE_STAY_OUTLINED STAY_OUTLINED
 #else
@@ -27,14 +28,14 @@
 ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queue, SCENE_SPHERE_SPACE const SceneSphere* spheres,
                                 SCENE_SURFACE_SPACE const SceneSurface* surface_rows, __global const uint* camera_sides,
                                 __global const uint* run_starts, __global const SceneLamp* lamps,
-                                EngineLaunch launch COUNTED_PARAMETER) {
+                                SCENE_TREE_PARAMETERS EngineLaunch launch COUNTED_PARAMETER) {
     ENGINE_STAY_OUTLINED;
 #ifdef SCENE_FEW
     const uint opaque = SCENE_OPAQUE, count = SCENE_FEW;
 #else
     const uint opaque = launch.opaque_spheres, count = opaque + launch.two_sided_spheres;
 #endif
-    Scene scene = {spheres, opaque, count, 0u};
+    Scene scene = {spheres, opaque, count, 0u SCENE_TREE_MEMBERS};
     const Start start = {(SCENE_SURFACE_SPACE const SceneStart*)&surface_rows[background(scene) + 1u], camera_sides};
     scene.distance_mask = start.row->distance_mask;
     const World world = {scene, surfaces_of(surface_rows, background(scene)), {&launch.lamp, lamps, launch.lamps}};
@@ -47,12 +48,16 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queue, S
     start_spares(&path, &spare, alive, 0u, start, &launch);
 
     uint turn = 0u;
+    Meeting meeting = begin_meeting(world.scene, &path.ray, &path.inside COUNTED_ARGUMENT);
     while (lanes_any(alive)) {
+        if (!go_on(world.scene, &meeting COUNTED_ARGUMENT)) continue;
         lanes_u face;
         lanes_mask ends;
         const uint stop = uint_hold(min(turn + ENGINE_BATCH, LANE(path.last_turn, 0)));
         do {
-            ends = trace_segment(&world, &path, alive, turn, &face COUNTED_ARGUMENT);
+            const Hit hit = end_meeting(world.scene, &path.ray, &path.inside, &meeting COUNTED_ARGUMENT);
+            face = hit_face(&hit);
+            ends = trace_segment(&world, &path, &hit, alive, turn COUNTED_ARGUMENT);
             turn = uint_hold(turn + 1u);
         } while (ENGINE_BATCH > 1 && turn < stop && !lanes_any(ends));
         const lanes_mask full = lanes_hold(turn >= path.last_turn);
@@ -81,6 +86,7 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queue, S
             spare.radiance = vec_select(spare.radiance, radiance, ended);
             start_spares(&path, &spare, ended, turn, start, &launch);
         }
+        meeting = begin_meeting(world.scene, &path.ray, &path.inside COUNTED_ARGUMENT);
     }
 }
 

@@ -155,6 +155,9 @@ static inline void start_spares(Path* path, Spare* spare, lanes_mask ended, uint
     for (uint i = 1; i < SCENE_SIDE_WORDS; ++i) {
         path->inside.word[i] = lanes_select_u(path->inside.word[i], (lanes_u)(start.sides[i]), ended);
     }
+#ifdef SCENE_TREE
+    if (ended) path->ray.left = TREE_NOTHING;
+#endif
 #ifdef SCENE_CARRIED
     for (uint i = 0; i < SCENE_FEW; ++i) {
         path->ray.gap[i] = lanes_select(path->ray.gap[i], (lanes_f)(start.row->gap[i]), ended);

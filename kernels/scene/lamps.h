@@ -177,11 +177,40 @@ static inline LampDraw draw_lamp(Random* random) {
     return draw;
 }
 
-static inline LampSample sample_lamp(const Lamps* lamps, Vec point, const LampDraw* draw, lanes_mask counts COUNTED_PARAMETER) {
+#ifdef SCENE_TREE
+/* A uniform point of a triangle, see "Graphics Gems: Generating Random Points in Triangles", by G. Turk. */
+static inline LampSample sample_triangle(Scene scene, const Lamp* lamp, uint place, Vec point, const LampDraw* draw COUNTED_PARAMETER) {
+    COUNTED(1u, LAMP_TRIANGLE_WORK)
+    Vec corner[3];
+    const uint number = triangle_at(scene.tree, place, corner);
+    const float away = lanes_sqrt(random_1_2(draw->u) - 1.0f), share_c = away * (random_1_2(draw->v) - 1.0f);
+    const Vec b = vec_sub(corner[1], corner[0]), c = vec_sub(corner[2], corner[0]);
+    const Vec to_corner = vec_sub(corner[0], point);
+    const Vec to_lamp = vec_add_scaled(vec_add_scaled(to_corner, b, away - share_c), c, share_c);
+    const float squared = vec_dot(to_lamp, to_lamp), inverse = lanes_rsqrt(squared);
+    LampSample sample;
+    sample.direction = vec_scale(to_lamp, inverse);
+    sample.radiance = lamp->radiance;
+    sample.distance = squared * inverse;
+    sample.density.part = lamp->cap_density * squared;
+    sample.density.whole = fabs(vec_dot(sample.direction, vec_of(scene.triangles[number].normal_face)));
+    sample.face = lamp->face;
+    return sample;
+}
+#endif
+
+static inline LampSample sample_lamp(Scene scene, const Lamps* lamps, Vec point, const LampDraw* draw,
+                                     lanes_mask counts COUNTED_PARAMETER) {
+    (void)scene;
 #ifndef SCENE_LONE_LAMP
     COUNTED_LANES(counts, LAMP_CHOICE_WORK)
 #endif
-    const Lamp lamp = lamp_of(lamps, choose_lamp(lamps, draw->choice, draw->share));
+    const lanes_u number = choose_lamp(lamps, draw->choice, draw->share);
+    const Lamp lamp = lamp_of(lamps, number);
+#ifdef SCENE_TREE
+    if ((lamp.face & SCENE_TRIANGLE) != 0u)
+        return sample_triangle(scene, &lamp, LAMP_UINT(lamps, number, place), point, draw COUNTED_ARGUMENT);
+#endif
     const Sight sight = sight_of(&lamp, point, counts COUNTED_ARGUMENT);
     LampSample sample;
     sample.radiance = lamp.radiance;
