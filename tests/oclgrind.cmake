@@ -27,6 +27,8 @@ ptbench_oclgrind(thesis 1 thesis queue=out_of_order dispatch=tasks)
 ptbench_oclgrind(pt 1 thesis scene_memory=local rng=park_miller)
 ptbench_oclgrind(pt 4 thesis scene_memory=private pixel_filter=stratified queue=out_of_order)
 ptbench_oclgrind(pt 1 thesis dispatch=tasks build=strict)
+ptbench_oclgrind(pt_nee 1 mesh_room bvh=bvh2)
+ptbench_oclgrind(pt 1 mesh_room bvh=wide8)
 # Films in images are not watched: Oclgrind 21.10 takes what image functions return for uninitialised.
 
 # What kernels count of themselves, against the instructions.

@@ -56,7 +56,7 @@ CaseJob Workbench::resolve(const Case& params) {
     if (found == scenes_.end())
         found = scenes_.emplace(params.scene, load_scene(scene_file(params.scene, data_folder_))).first;
     return {params, &found->second, &kernel,
-            render_job(params, kernel, builds_.device().info, options_.seed)};
+            render_job(params, kernel, builds_.device().info, found->second, options_.seed)};
 }
 
 CaseResult Workbench::run(const Case& params, double time_left_s, const Stage& stage) {

@@ -65,7 +65,8 @@ RenderJob endless(RenderJob job, double time_s, double seconds_per_sample) {
 Rendered render_picture(const RenderRequest& request, const std::function<bool(double done)>& progress) {
     const Workshop workshop{integrator(request.params.kernel), ocl::open_device(request.params.device),
                             load_scene(scene_file(request.params.scene, data_dir())), request.kernel_dir};
-    RenderJob job = render_job(request.params, workshop.kernel, workshop.device.info, request.seed);
+    RenderJob job =
+        render_job(request.params, workshop.kernel, workshop.device.info, workshop.scene, request.seed);
     if (request.time_s) job = endless(job, *request.time_s, seconds_per_sample(workshop, job));
     const auto render = workshop.make(job);
     PassCutter cutter;

@@ -6,6 +6,7 @@
 #include "core/integrator/camera.h"
 #include "core/integrator/engine_options.h"
 #include "core/integrator/film.h"
+#include "core/integrator/large_buffer.h"
 #include "core/integrator/unit_cut.h"
 
 namespace ptb {
@@ -55,14 +56,16 @@ void stratify(EngineLaunch& launch, std::uint32_t spp) {
 
 template <class Row>
 cl::Buffer upload(const ocl::Device& device, const std::vector<Row>& rows) {
-    std::vector<Row> copy = rows;
-    if (copy.empty()) copy.emplace_back();
-    return {device.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, copy.size() * sizeof(Row), copy.data()};
+    static const Row none{};
+    const Row* first = rows.empty() ? &none : rows.data();
+    return {device.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
+            std::max<std::size_t>(rows.size(), 1) * sizeof(Row), const_cast<Row*>(first)};
 }
 
-/// A scene on a device. No lamps are one row of zeros, since there is no empty buffer.
+/// A scene on a device. No spheres or lamps are one row of zeros, since there is no empty buffer.
 struct SceneBuffers {
     cl::Buffer spheres, surfaces, sides, lamps;
+    std::vector<cl::Buffer> meshes;  ///< nodes, leaves and triangles, where there are any
     SceneFewSpheres few{};
     std::uint64_t bytes = 0;
 
@@ -72,7 +75,17 @@ struct SceneBuffers {
           sides(upload(device, scene.camera_sides)),
           lamps(upload(device, scene.lamps)),
           few(scene.few),
-          bytes(scene.bytes()) {}
+          bytes(scene.bytes()) {
+        if (!scene.has_meshes) return;
+        const Tree& tree = *scene.meshes.tree;
+        const bool wide = tree.nodes2.empty();
+        const auto add = [&](const auto& rows) {
+            meshes.push_back(large_buffer(device, std::as_bytes(std::span(rows))));
+        };
+        wide ? add(tree.nodes8) : add(tree.nodes2);
+        wide ? add(tree.blocks) : add(tree.triangles);
+        add(scene.meshes.triangles);
+    }
 };
 
 double least_chance(const DeviceScene& scene) {
@@ -105,7 +118,7 @@ class EngineRender : public Render {
   public:
     EngineRender(const Integrator& row, const ocl::Device& device, const ocl::Program& program,
                  const Scene& scene, const RenderJob& job)
-        : EngineRender(row, device, program, scene, device_scene_for(row, scene), job) {}
+        : EngineRender(row, device, program, scene, device_scene_for(row, device, scene, job), job) {}
 
     void restart() override {
         ocl::checked(row_.id + " restart", device_.info.name, [&] {
@@ -199,7 +212,9 @@ class EngineRender : public Render {
         cl_uint i = 0;
         const auto give = [&](const auto& argument) { render_.setArg(i++, argument); };
         give(tallies_), give(counters_), give(scene_->spheres), give(scene_->surfaces), give(scene_->sides);
-        give(starts_), give(scene_->lamps), give(scene_->few), give(part);
+        give(starts_), give(scene_->lamps), give(scene_->few);
+        for (const cl::Buffer& each : scene_->meshes) give(each);
+        give(part);
         launcher_.launch(render_, ranges_of(part.units - part.first_unit));
     }
 
@@ -246,8 +261,11 @@ DeviceMemory memory(const Integrator& row, const ocl::Device& device, const Scen
     const std::uint64_t units = job.size.pixels() * shape.runs.count();
     const std::uint64_t film = film_bytes_of(job.size, job.variant.film_memory);
     const std::uint64_t tallies = std::min(shape.max_units, units) * sizeof(Tally);
-    return {film + tallies + device_scene_for(row, scene).bytes(),
-            std::max(largest_film_object(job.size, job.variant.film_memory), tallies)};
+    const DeviceScene device_scene = device_scene_for(row, device, scene, job);
+    const DeviceMeshes& meshes = device_scene.meshes;
+    return {film + tallies + device_scene.bytes(),
+            std::max({largest_film_object(job.size, job.variant.film_memory), tallies, meshes.node_bytes(),
+                      meshes.leaf_bytes(), meshes.triangle_bytes()})};
 }
 
 std::unique_ptr<Render> make(const Integrator& row, const ocl::Device& device, const ocl::Program& program,

@@ -8,8 +8,9 @@
 
 namespace ptb {
 
-/// The scene with what of it the integrator asks for.
-DeviceScene device_scene_for(const Integrator& row, const Scene& scene);
+/// The scene with what of it the integrator asks for, as a job of this variant has it there.
+DeviceScene device_scene_for(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                             const RenderJob& job);
 
 /// Build options of an integrator for a job.
 std::string engine_options(const Integrator& row, const ocl::Device& device, const Scene& scene,

@@ -3,12 +3,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/mesh/mesh.h"
 #include "core/scene/vec3.h"
+#include "core/tree/shelf.h"
 
 namespace ptb {
 
@@ -45,6 +47,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Sphere> spheres;
     std::vector<Mesh> meshes = {};
+    std::shared_ptr<TreeShelf> trees = std::make_shared<TreeShelf>();  ///< of the meshes; copies share them
 };
 
 /// Of all meshes; they are numbered through, mesh by mesh.
