@@ -17,7 +17,7 @@ enum class Status { ok, invalid, unsupported, skipped, compile, runtime, timeout
 struct Work {
     std::uint64_t samples = 0;      ///< width x height x spp
     std::uint64_t segments = 0;     ///< path segments traced, counted by the kernel
-    std::uint64_t shadow_rays = 0;  ///< traced beside them, to lamps
+    std::uint64_t shadow_rays = 0;  ///< traced beside them, to lamps or between paths of both ends
     std::uint64_t full_length_paths = 0;
     int lanes = 1;    ///< lane width that ran
     int renders = 1;  ///< full renders in one sample of time; more than one where the timer is coarse
@@ -25,6 +25,7 @@ struct Work {
     std::int64_t longest_launch_ns = 0;
     std::uint64_t device_bytes = 0;  ///< device memory asked for
     std::optional<double> overlap;   ///< out of order: share of the launches' times that ran beside another's
+    std::uint64_t light_segments = 0;  ///< beside them too, of paths that start at lamps
     bool operator==(const Work&) const = default;
 };
 
@@ -68,7 +69,7 @@ struct Statistics {
     std::optional<double> ci_low_ns, ci_high_ns;  ///< exact 95 % interval of the median; absent for small n
     std::string stop_reason;  ///< "precision", "max_time", "max_samples", "max_total_time", "low_n"
     double msamples_per_s = 0, msegments_per_s = 0;
-    std::optional<double> mrays_per_s;  ///< segments and shadow rays, where there are any of these
+    std::optional<double> mrays_per_s;  ///< all segments and shadow rays, where there are any of these
     bool operator==(const Statistics&) const = default;
 };
 
@@ -131,7 +132,7 @@ struct Noise {
 /// out.
 struct Efficiency {
     std::optional<Noise> all, best_99;  ///< of all pixels, and of the best 99 %
-    std::string variance_from;          ///< "film", or "reference" where a kernel's film holds no squares
+    std::string variance_from;          ///< "film"; "reference" where that holds no squares; "passes"
     std::string reason;                 ///< why a number is absent, or empty
     bool operator==(const Efficiency&) const = default;
 };

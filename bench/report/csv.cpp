@@ -173,6 +173,7 @@ const Columns& other_columns() {
         {"samples", of_work([](const Work& w) { return std::to_string(w.samples); })},
         {"segments", of_work([](const Work& w) { return std::to_string(w.segments); })},
         {"shadow_rays", of_work([](const Work& w) { return std::to_string(w.shadow_rays); })},
+        {"light_segments", of_work([](const Work& w) { return std::to_string(w.light_segments); })},
         {"lanes_run", of_work([](const Work& w) { return std::to_string(w.lanes); })},
         {"renders", of_work([](const Work& w) { return std::to_string(w.renders); })},
         {"passes", of_work([](const Work& w) { return std::to_string(w.passes); })},

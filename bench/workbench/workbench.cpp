@@ -35,6 +35,7 @@ Film read_back(Render& render, Record& record) {
     record.build->readback_ms = seconds_since(begin) * 1e3;
     record.work->segments = film.segments;
     record.work->shadow_rays = film.shadow_rays;
+    record.work->light_segments = film.light_segments;
     record.work->full_length_paths = film.full_length_paths.value_or(0);
     return film;
 }
@@ -92,7 +93,8 @@ Image Workbench::time(const CaseJob& job, double time_left_s, const Stage& stage
     validator_.check_timed_film(job, film, *record.validation);
     stopwatch_.summarize(measurement, record);
     if (record.statistics)
-        record.efficiency = efficiency_of(job, film, *record.statistics, validator_.stored_reference(job));
+        record.efficiency = efficiency_of(builds_, pace_, job, film, *record.statistics,
+                                          validator_.stored_reference(job), stage);
     return std::move(film.mean);
 }
 
