@@ -26,7 +26,7 @@ SceneLamp device_lamp(const Lamp& lamp, const Sphere& sphere, const Material& ma
     const bool free = lamp.kind == LampKind::free;
     SceneLamp row{};
     row.centre_radius = device_vector(sphere.centre, sphere.radius);
-    row.axis_extent = device_vector(lamp.axis, 1 - lamp.cos_rim);
+    row.axis_extent = device_vector(free ? Vec3{0, 0, 1} : lamp.axis, 1 - lamp.cos_rim);
     row.radiance_kept = device_vector(material.radiance, 1);
     row.middle_sent =
         device_vector(sphere.centre + lamp.axis * (free ? 0 : sphere.radius), lamp.area / (free ? 4 : 2));

@@ -85,6 +85,20 @@ std::string placement_refusal(const Integrator& row, const Scene& scene) {
         scene.name, *placement.lost, row.id, sphere.radius, length(sphere.centre - placement.origin));
 }
 
+/// What other samples add to a pixel lies anywhere in it.
+std::string filter_refusal(const Integrator& row, const RenderJob& job) {
+    if (row.independent_pixels) return "";
+    return choice_refusal(row.id, "pixel_filter", job.variant, {"jitter", "stratified"});
+}
+
+/// The vertices of paths that are joined lie in private memory, some 60 bytes each a lane.
+constexpr int longest_joined = 256;
+
+std::string length_refusal(const Integrator& row, const RenderJob& job) {
+    if (row.independent_pixels || job.path_length <= longest_joined) return "";
+    return fmt::format("path_length {}: {} takes at most {}", job.path_length, row.id, longest_joined);
+}
+
 /// Light all around is met, but cannot be asked for.
 std::string surrounding_refusal(const Integrator& row, const Scene& scene) {
     if (!row.only_asks) return "";
@@ -124,8 +138,8 @@ DeviceScene device_scene_for(const Integrator& row, const Scene& scene) {
 std::string engine_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,
                            const RenderJob& job) {
     for (const std::string& reason :
-         {placement_refusal(row, scene), surrounding_refusal(row, scene),
-          memory_refusal(row, device, device_scene_for(row, scene), job),
+         {placement_refusal(row, scene), surrounding_refusal(row, scene), filter_refusal(row, job),
+          length_refusal(row, job), memory_refusal(row, device, device_scene_for(row, scene), job),
           film_refusal(device, job.size, job.variant.film_memory), rows_refusal(row, job)})
         if (!reason.empty()) return reason;
     return "";
@@ -152,7 +166,8 @@ std::string engine_options(const Integrator& row, const ocl::Device& device, con
     if (ocl::bounds_loops(device.info)) text += " -DENGINE_BOUNDED";
     if (glows(scene)) text += " -DSCENE_GLOWS";
     if (lone_on_gpu) text += " -DENGINE_BATCH=6";
-    if (lone_on_gpu && carries_gaps(device_scene, job.path_length)) text += " -DSCENE_CARRIED";
+    if (lone_on_gpu && row.independent_pixels && carries_gaps(device_scene, job.path_length))
+        text += " -DSCENE_CARRIED";
     if (device_scene.has_careful())
         text += fmt::format(
             " -DSCENE_CAREFUL_BEGIN={}u -DSCENE_CAREFUL_END={}u -DSCENE_DISTANT_BEGIN={}u "
@@ -168,10 +183,16 @@ std::string engine_options(const Integrator& row, const ocl::Device& device, con
         text +=
             fmt::format(" -DSCENE_LONE_LAMP={}",
                         std::isinf(device_scene.lone_lamp.near_squared) ? SCENE_FREE_LAMP : SCENE_SUNK_LAMP);
+    if (!row.independent_pixels) text += fmt::format(" -DENGINE_PATH_LENGTH={}", job.path_length);
     if (job.variant.roulette == Roulette::albedo) text += " -DENGINE_ROULETTE";
     if (job.variant.film_memory == FilmMemory::image) text += " -DENGINE_IMAGE_FILM";
     if (job.variant.rng == Rng::park_miller) text += " -DPTB_PARK_MILLER";
     return text;
+}
+
+int most_rays(const Integrator& row, int path_length) {
+    const int joined = std::min(path_length, longest_joined);
+    return row.independent_pixels ? path_length : joined * (joined + 5) / 2;
 }
 
 bool is_throughput_device(const ocl::Device& device) { return device.info.type != "CPU"; }

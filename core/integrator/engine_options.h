@@ -23,6 +23,10 @@ std::string engine_refusal(const Integrator& row, const ocl::Device& device, con
 /// is not above its root.
 std::uint32_t strata_columns(std::uint32_t spp);
 
+/// Rays that a sample of this length takes at most, one after the other: where pixels share paths, those of
+/// two paths, and between all their vertices.
+int most_rays(const Integrator& row, int path_length);
+
 /// One that wants thousands of work-items: all but CPUs.
 bool is_throughput_device(const ocl::Device& device);
 

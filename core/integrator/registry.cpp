@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "core/integrator/engine.h"
+#include "core/integrator/engine_options.h"
 #include "core/integrator/thesis.h"
 #include "core/integrator/variant_support.h"
 
@@ -70,6 +71,12 @@ const std::vector<Integrator>& integrators() {
          .machinery = &engine_machinery,
          .samples_lamps = true,
          .truth = "pt"},
+        {.id = "bdpt",
+         .summary = "bidirectional path tracing: paths from lamps and from the camera, joined in all ways",
+         .machinery = &engine_machinery,
+         .samples_lamps = true,
+         .independent_pixels = false,
+         .truth = "pt"},
     };
     return all;
 }
@@ -103,7 +110,7 @@ std::string unsupported_reason(const Integrator& integrator, const ocl::Device& 
     if (std::find(integrator.lanes.begin(), integrator.lanes.end(), job.lanes) == integrator.lanes.end())
         return fmt::format("lanes {}: {} has {}", job.lanes, integrator.id,
                            fmt::join(integrator.lanes, ", "));
-    if (paths_per_item(device, scene, job.path_length) == 0)
+    if (paths_per_item(device, scene, most_rays(integrator, job.path_length)) == 0)
         return fmt::format("path_length {} with {} spheres: this device drops what loops do after {} turns",
                            job.path_length, scene.spheres.size(), ocl::loop_limit(device.info));
     for (const std::string& reason :

@@ -20,21 +20,29 @@ static inline void gather_met(const World* world, Path* path, lanes_u face, lane
     path->radiance = vec_mul_add(path->radiance, path->throughput, radiance);
 }
 
+/* The lanes whose face is one of a lamp that can be asked, and its number. */
+static inline lanes_mask lamp_met(const World* world, lanes_u face, lanes_u* number) {
+#ifdef SCENE_LONE_LAMP
+    *number = (lanes_u)(0u);
+    return face == world->lamps.first->face;
+#else
+    const lanes_u next = lamp_of_face(&world->surfaces, face);
+    const lanes_mask is_lamp = next != 0u;
+    *number = next - lanes_select_u((lanes_u)(0u), (lanes_u)(1u), is_lamp);
+    return is_lamp;
+#endif
+}
+
 /* The share of the radiance met, `distance` along the ray, that is not gather_lamp's: by the balance heuristic, see "Optimally
    Combining Sampling Techniques for Monte Carlo Rendering", by Veach and Guibas. */
 static inline lanes_f share_of_met(const World* world, const Path* path, lanes_u face, lanes_f distance,
                                    lanes_mask counts COUNTED_PARAMETER) {
     (void)counts;
-#ifdef SCENE_LONE_LAMP
-    const lanes_u number = (lanes_u)(0u);
-    const lanes_mask is_lamp = face == world->lamps.first->face;
-#else
-    const lanes_u next = lamp_of_face(&world->surfaces, face);
-    const lanes_mask is_lamp = next != 0u;
-    const lanes_u number = next - lanes_select_u((lanes_u)(0u), (lanes_u)(1u), is_lamp);
-#endif
+    lanes_u number;
+    const lanes_mask is_lamp = lamp_met(world, face, &number);
     if (!lanes_any(is_lamp)) return (lanes_f)(1.0f);
-    const Density density = density_of_way(&world->lamps, number, &path->ray, distance, counts & is_lamp COUNTED_ARGUMENT);
+    const Lamp lamp = lamp_of(&world->lamps, number);
+    const Density density = density_of_way(&lamp, &path->ray, distance, counts & is_lamp COUNTED_ARGUMENT);
     COUNTED_LANES(counts & is_lamp, LIGHT_SHARE_WORK)
     const lanes_f whole = density.whole + 1e-30f; /* of a path that had no choice: 1, even at a cap's horizon */
     return lanes_select((lanes_f)(1.0f), whole / (whole + path->inverse_density * density.part), is_lamp);

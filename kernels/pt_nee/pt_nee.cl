@@ -30,4 +30,5 @@ static inline lanes_mask trace_segment(const World* world, Path* path, lanes_mas
 }
 
 #define INTEGRATOR pt_nee
+#include "engine/trace.h"
 #include "engine/kernels.h"

@@ -204,8 +204,9 @@ static inline lanes_mask leaves_before(Quadratic e, lanes_f distance, uint i) {
     return (beyond > 0.0f) & (beyond * beyond > e.d);
 }
 
-/* Whether nothing is between a ray's origin and the sphere with this outer face, which it meets at `distance`: no sphere but
-   that one, which is left out by its number. No epsilon, as in nearest_hit. */
+/* Whether nothing is between a ray's origin and the sphere with this face, which it meets at `distance`: no sphere but that
+   one, which is left out by its number (SEES_POINT: none is). No epsilon, as in nearest_hit. */
+#define SEES_POINT 0xffffffffu
 ALWAYS_INLINE lanes_mask sees(Scene scene, const Ray* ray, const Sides* inside, lanes_f distance, lanes_u target) {
     const Line line = line_of(ray);
     Hit unused;
@@ -221,7 +222,7 @@ ALWAYS_INLINE lanes_mask sees(Scene scene, const Ray* ray, const Sides* inside, 
         const Quadratic e = quadratic_of(scene.spheres[i].centre_k, i, &line, ray, &unused);
         const lanes_mask in = lanes_as_i(side_sign(scene, side_of(scene, inside, i - scene.opaque))) < 0;
         const lanes_mask meets = meets_before(e, distance, i), leaves = leaves_before(e, distance, i);
-        const lanes_mask other = target != 2u * (i - scene.opaque);
+        const lanes_mask other = (target >> 1) != i - scene.opaque;
         blocked |= ((in & leaves) | (!in & meets)) & other;
     }
     return !blocked;

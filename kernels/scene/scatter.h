@@ -37,7 +37,7 @@ static inline lanes_mask refract_some(lanes_f* normal, lanes_f along, const Surf
 
 /* Gives rays that are at their hits new directions; where they pass through a dielectric, changes sides. Returns 1 / length
    of the sum that the direction is made of: of a matte surface 1 / twice its cosine. */
-static inline lanes_f scatter(Scene scene, Ray* ray, Sides* inside, const Hit* hit, const Surface* surface, const Vec* draw) {
+ALWAYS_INLINE lanes_f scatter(Scene scene, Ray* ray, Sides* inside, const Hit* hit, const Surface* surface, const Vec* draw) {
     const Vec from_centre = vec_sub(ray->origin, surface->centre);
     const lanes_f along = vec_dot(ray->direction, from_centre);
     lanes_f normal = surface->matte - surface->mirrored * along;

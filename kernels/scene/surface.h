@@ -78,7 +78,7 @@ static inline Surfaces surfaces_of(SCENE_SURFACE_SPACE const SceneSurface* rows,
 
 #endif
 
-static inline Surface surface_of(const Surfaces* all, lanes_u face) {
+ALWAYS_INLINE Surface surface_of(const Surfaces* all, lanes_u face) {
     Surface s;
     s.centre.x = SURFACE_FIELD(all, 0, centre_matte.x, face);
     s.centre.y = SURFACE_FIELD(all, 1, centre_matte.y, face);
@@ -96,7 +96,7 @@ static inline Surface surface_of(const Surfaces* all, lanes_u face) {
 }
 
 /* Radiance that the face sends out. */
-static inline Vec radiance_of(const Surfaces* all, lanes_u face) {
+ALWAYS_INLINE Vec radiance_of(const Surfaces* all, lanes_u face) {
     const lanes_u index = RADIANCE_INDEX(face);
     return vec(SURFACE_FIELD(all, 8, radiance.x, index), SURFACE_FIELD(all, 9, radiance.y, index),
                SURFACE_FIELD(all, 10, radiance.z, index));

@@ -30,7 +30,7 @@ while IFS= read -r kernel; do
     for lanes in 1 4 8 16 32; do
         if [[ $lanes -eq 32 && $kernel == */peaks.cl ]]; then continue; fi # it needs built-ins, which end at 16
         portable=(-target spir64 "-DPTB_LANES=$lanes")
-        check "$kernel" "${portable[@]}" -DSCENE_GLOWS -DENGINE_BOUNDED -DSCENE_LONE_LAMP=1
+        check "$kernel" "${portable[@]}" -DSCENE_GLOWS -DENGINE_BOUNDED -DSCENE_LONE_LAMP=1 -DENGINE_SPLIT_ATOMICS -DENGINE_PATH_LENGTH=1
         check "$kernel" "${portable[@]}" -DSCENE_FEW=4 -DSCENE_OPAQUE=2 -DSCENE_MANY_LAMPS -DENGINE_ROULETTE -DENGINE_IMAGE_FILM
         check "$kernel" "${portable[@]}" -DSCENE_SIDE_WORDS=3 -DSCENE_SPHERES=2 -DSCENE_SURFACES=2 -DSCENE_GLOWS -DSCENE_MANY_LAMPS -DENGINE_IMAGE_FILM -DPTB_COUNT -DENGINE_ROULETTE
         check "$kernel" "${portable[@]}" -DSCENE_FEW=4 -DSCENE_OPAQUE=2 -DSCENE_LONE_LAMP=2 "${careful[@]}"
