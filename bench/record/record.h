@@ -25,6 +25,7 @@ struct Work {
     std::int64_t longest_launch_ns = 0;
     std::uint64_t device_bytes = 0;  ///< device memory asked for
     std::optional<double> overlap;   ///< out of order: share of the launches' times that ran beside another's
+    std::string film_hash;           ///< of the timed film's bits: equal devices give equal ones
     bool operator==(const Work&) const = default;
 };
 
@@ -136,6 +137,14 @@ struct Efficiency {
     bool operator==(const Efficiency&) const = default;
 };
 
+/// What a GPU's management library said of it after the last timed sample. Absent where it says nothing.
+struct GpuState {
+    std::optional<int> clock_mhz, memory_clock_mhz, temperature_c;
+    std::optional<double> power_w;
+    std::vector<std::string> throttle;  ///< why its clock is lower than it could be: "power cap", ...
+    bool operator==(const GpuState&) const = default;
+};
+
 /// What became of one planned case. The one record type of protocol, journal and result file.
 struct Record {
     Case params;
@@ -149,6 +158,7 @@ struct Record {
     std::optional<Energy> energy;
     std::optional<Efficiency> efficiency;
     std::optional<Counted> counted;  ///< with --peaks
+    std::optional<GpuState> gpu;
     bool operator==(const Record&) const = default;
 };
 
@@ -200,7 +210,17 @@ struct HostInfo {
     std::optional<double> cpu_quota;  ///< CPUs whose time the smallest control group allows
     std::uint64_t memory_bytes = 0;
     double load_1min = 0;
+    std::string node;  ///< its name in a fleet, or empty
     bool operator==(const HostInfo&) const = default;
+};
+
+/// Which process writes a node's journal: one at a time may.
+struct Lease {
+    std::string boot_id;                ///< of the machine's last start
+    int pid = 0;                        ///< of the process,
+    std::uint64_t started_at_tick = 0;  ///< and when it began, since numbers come again
+    std::string job;                    ///< of Slurm, or empty
+    bool operator==(const Lease&) const = default;
 };
 
 /// A document of another schema within a file: an object there, or null when empty.
@@ -221,8 +241,11 @@ struct RunInfo {
     JsonText settings;                    ///< what flags made of the config, as --dump-config
     std::vector<std::string> resumed_at;  ///< ISO 8601, UTC
     std::vector<std::string> scenes;      ///< of the plan: "furnace 9f86d081884c7d65", name and text_hash
-    std::vector<Case> tuned;       ///< what `ptbench tune` had found for devices and kernels of the plan
-    double coordinator_cpu_s = 0;  ///< of the process that drives the workers: what measuring costs
+    std::vector<Case> tuned;            ///< what `ptbench tune` had found for devices and kernels of the plan
+    double coordinator_cpu_s = 0;       ///< of the process that drives the workers: what measuring costs
+    std::optional<Lease> lease;         ///< of a node of a fleet
+    std::vector<std::string> expected;  ///< all nodes of the fleet that this one was told of
+    std::string finished_at;            ///< of such a node, once its last case is in its journal
     bool operator==(const RunInfo&) const = default;
 };
 
@@ -230,6 +253,7 @@ struct RunInfo {
 struct ResultFile {
     RunInfo run;
     HostInfo host;
+    std::vector<HostInfo> hosts;  ///< of a fleet: every node's, of which `host` is the first
     std::vector<DeviceInfo> devices;
     std::vector<BrokenIcd> broken_icds;
     std::vector<Record> cases;

@@ -36,6 +36,7 @@ Film read_back(Render& render, Record& record) {
     record.work->segments = film.segments;
     record.work->shadow_rays = film.shadow_rays;
     record.work->full_length_paths = film.full_length_paths.value_or(0);
+    record.work->film_hash = film.hash;
     return film;
 }
 

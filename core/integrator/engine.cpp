@@ -7,6 +7,7 @@
 #include "core/integrator/engine_options.h"
 #include "core/integrator/film.h"
 #include "core/integrator/unit_cut.h"
+#include "core/render/film_hash.h"
 
 namespace ptb {
 
@@ -135,12 +136,15 @@ class EngineRender : public Render {
         film.mean = {job_.size, std::vector<float>(job_.size.pixels() * 3)};
         film.variance = film.mean;
         film.samples = film.full_length_paths = 0;
+        FilmHash hash;
         for (int row = 0; row < job_.size.height; row += rows_at_once) {
             const int rows = std::min(rows_at_once, job_.size.height - row);
             const auto pixels = ocl::checked(row_.id + " film", device_.info.name,
                                              [&] { return film_->read(launcher_.queue(), row, rows); });
             store_pixels(pixels, Size{job_.size.width, row}.pixels(), scale_, film);
+            hash.add(std::span<const FilmPixel>(pixels));
         }
+        film.hash = hash.text();
         return film;
     }
 
