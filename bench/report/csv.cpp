@@ -239,6 +239,19 @@ std::string csv(const ResultFile& result) {
     return output;
 }
 
+std::string csv(const Grid& grid) {
+    std::vector<std::string> titles;
+    for (const Column& column : grid.columns) titles.push_back(column.title);
+    std::string lines = line(titles);
+    for (const auto& row : grid.rows) {
+        std::vector<std::string> cells;
+        for (std::size_t i = 0; i < row.size(); ++i)
+            cells.push_back(grid.columns[i].number ? row[i] : text(row[i]));
+        lines += line(cells);
+    }
+    return lines;
+}
+
 std::string csv_samples(const ResultFile& result) {
     static const Columns spp = {{"spp", axis("spp")}};
     static const Columns renders = {
