@@ -153,11 +153,11 @@ int confirm_command(const Options& options) {
     check_fleet(folder);
     const std::string node = this_node();
     const NodeClaim claim(folder, node);
-    const Judged judged = judge_fleet(folder);
-    const std::vector<CardSession> sessions = sessions_here(folder, judged, node);
+    const Judged before = judged(folder, read_fleet(folder));
+    const std::vector<CardSession> sessions = sessions_here(folder, before, node);
     Outcome outcome;
-    if (!sessions.empty()) outcome = measure_sessions(options, folder, judged, sessions);
-    const Judged after = judge_fleet(folder);
+    if (!sessions.empty()) outcome = measure_sessions(options, folder, before, sessions);
+    const Judged after = judged(folder, read_fleet(folder));
     put(stdout, fmt::format("{}: {} sessions measured; {} of {} are there\n", node,
                             outcome.interrupted ? 0 : sessions.size(), after.sessions,
                             after.sessions + after.sessions_to_come));

@@ -48,20 +48,18 @@ Destinations destinations(const ReportFlags& flags, const FleetFolder& folder) {
 }  // namespace
 
 Outcome show_fleet(const Options& options, const FleetFolder& folder) {
-    merge(folder, read_plan(folder));
-    const Judged judged = judge_fleet(folder);
-    put(stdout, fleet_text(judged, folder.path.string(), text_style(options.common, stdout)));
-    return outcome_of(judged);
+    const Judged found = judged(folder, merge(folder));
+    put(stdout, fleet_text(found, folder.path.string(), text_style(options.common, stdout)));
+    return outcome_of(found);
 }
 
 int fleet_report(const Options& options, const FleetFolder& folder) {
     const Destinations asked = destinations(options.report, folder);
     if (asked.empty()) return exit_code(show_fleet(options, folder));
-    merge(folder, read_plan(folder));
-    const Judged judged = judge_fleet(folder);
+    const Judged found = judged(folder, merge(folder));
     for (const auto& [format, destination] : asked)
-        write_to(destination, text_in(format, judged, folder.path.string()));
-    return exit_code(outcome_of(judged));
+        write_to(destination, text_in(format, found, folder.path.string()));
+    return exit_code(outcome_of(found));
 }
 
 }  // namespace ptb

@@ -81,7 +81,7 @@ void add_others(const FleetFolder& folder, const std::vector<ResultFile>& header
 
 }  // namespace
 
-Fleet read_fleet(const FleetFolder& folder) {
+Fleet read_fleet(const FleetFolder& folder, const NodeRead& also) {
     Fleet fleet;
     fleet.plan = read_plan(folder);
     Works works;
@@ -90,6 +90,7 @@ Fleet read_fleet(const FleetFolder& folder) {
         ResultFile run = read_node(folder, fleet.plan, name);
         add_cards(run, fleet.plan, works, fleet.cards);
         fleet.nodes.push_back(node_of(run, fleet.plan));
+        if (also) also(name, run);
         run.cases.clear();
         headers.push_back(std::move(run));
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,8 +45,11 @@ struct Fleet {
     std::vector<FleetNode> nodes;  ///< all that are expected, sorted
 };
 
-/// Reads all journals. Throws UsageError.
-Fleet read_fleet(const FleetFolder& folder);
+/// Hears of each node's run, in the order of nodes.
+using NodeRead = std::function<void(const std::string& node, const ResultFile& run)>;
+
+/// Reads all journals, one at a time. Throws UsageError.
+Fleet read_fleet(const FleetFolder& folder, const NodeRead& also = {});
 
 /// "n1/nvidia:0"
 std::string label(const Card& card);

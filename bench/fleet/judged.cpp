@@ -134,17 +134,17 @@ std::filesystem::path session_file(const FleetFolder& folder, const Confirmation
     return folder.path / "confirm" / confirmation.id / fmt::format("{}.{}.{}.jsonl", card.node, key, session);
 }
 
-Judged judge_fleet(const FleetFolder& folder) {
-    Judged judged;
-    judged.fleet = read_fleet(folder);
-    judged.classes = judged_classes(judged.fleet);
-    judged.confirmation = confirmation_of(judged.fleet, judged.classes);
-    add_suspects(folder, judged);
-    sort_suspects(judged.suspects);
-    judged.failed = failed_cards(judged.fleet);
-    for (const FleetNode& node : judged.fleet.nodes)
-        if (!node.finished) judged.missing.push_back(node.name);
-    return judged;
+Judged judged(const FleetFolder& folder, Fleet fleet) {
+    Judged found;
+    found.fleet = std::move(fleet);
+    found.classes = judged_classes(found.fleet);
+    found.confirmation = confirmation_of(found.fleet, found.classes);
+    add_suspects(folder, found);
+    sort_suspects(found.suspects);
+    found.failed = failed_cards(found.fleet);
+    for (const FleetNode& node : found.fleet.nodes)
+        if (!node.finished) found.missing.push_back(node.name);
+    return found;
 }
 
 }  // namespace ptb

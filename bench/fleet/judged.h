@@ -46,8 +46,8 @@ struct Judged {
     bool is_slow(std::size_t card) const;
 };
 
-/// Reads the fleet and its confirmation. Throws UsageError.
-Judged judge_fleet(const FleetFolder& folder);
+/// Judges a fleet, with what there is of its confirmation. Throws UsageError.
+Judged judged(const FleetFolder& folder, Fleet fleet);
 
 /// The file of one session of a card, as a journal of its own.
 std::filesystem::path session_file(const FleetFolder& folder, const Confirmation& confirmation,

@@ -6,7 +6,8 @@
 
 namespace ptb {
 
-/// Of this process, in its job.
+/// Of a process, or of this one, in this one's job.
+Lease lease_of(int pid);
 Lease this_lease();
 
 /// Whether its process runs: on this machine since its last start, and the same one. That of another machine

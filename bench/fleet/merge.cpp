@@ -105,18 +105,17 @@ bool is_whole(const FleetFolder& folder, const FleetPlan& plan) {
     return static_cast<std::size_t>(finished) == expected_nodes(plan, headers).size();
 }
 
-void merge(const FleetFolder& folder, const FleetPlan& plan) {
+Fleet merge(const FleetFolder& folder) {
     const fs::path temporary = temporary_beside(folder.result());
-    ResultWriter writer(temporary, frame_of(plan, headers_of(folder)));
-    for (const std::string& node : folder.with_journal()) {
-        ResultFile run = read_node(folder, plan, node);
-        writer.add(node, std::move(run.cases));
-    }
-    std::error_code error =
+    ResultWriter writer(temporary, frame_of(read_plan(folder), headers_of(folder)));
+    Fleet fleet = read_fleet(
+        folder, [&](const std::string& node, const ResultFile& run) { writer.add(node, run.cases); });
+    const std::error_code error =
         writer.end() ? put_in_place(temporary, folder.result()) : std::make_error_code(std::errc::io_error);
     if (error)
         throw std::runtime_error(
             fmt::format("cannot write {}: {}", folder.result().string(), error.message()));
+    return fleet;
 }
 
 }  // namespace ptb

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "bench/fleet/plan.h"
+#include "bench/fleet/fleet.h"
 
 namespace ptb {
 
-/// Writes the fleet's result file: all nodes' journals, in the order of nodes, devices and plan. The same
-/// bytes whoever does it. A device's key has its node before it: "n1/nvidia:0". Throws UsageError on a
-/// journal that is none, std::runtime_error where it cannot be written.
-void merge(const FleetFolder& folder, const FleetPlan& plan);
+/// Reads a fleet and writes its result file: all nodes' journals, in the order of nodes, devices and plan.
+/// The same bytes whoever does it. A device's key has its node before it: "n1/nvidia:0". Throws UsageError on
+/// a journal that is none, std::runtime_error where it cannot be written.
+Fleet merge(const FleetFolder& folder);
 
 /// Nodes that a fleet is told of, by the plan's writer and in all journals' headers; sorted.
 std::vector<std::string> expected_nodes(const FleetPlan& plan, const std::vector<ResultFile>& headers);

@@ -197,6 +197,11 @@ const Columns& other_columns() {
         {"device_key", [](const Row& r) { return text(r.record.params.device); }},
         {"platform", [](const Row& r) { return text(r.device.platform); }},
         {"driver_version", [](const Row& r) { return text(r.device.driver_version); }},
+        {"node", [](const Row& r) { return text(r.device.node); }},
+        {"pci", [](const Row& r) { return text(r.device.pci); }},
+        {"uuid", [](const Row& r) { return text(r.device.uuid); }},
+        {"serial", [](const Row& r) { return text(r.device.serial); }},
+        {"film_hash", of_work([](const Work& w) { return text(w.film_hash); })},
     };
     return columns;
 }

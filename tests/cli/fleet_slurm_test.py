@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -164,6 +165,35 @@ class Slurm(CliTest):
         self.assertIn("4 of 4 nodes", out)
         self.assert_nothing_is_left()
         self.assert_whole(kept, kept_by_n2)
+
+    def small_ptbench(self):
+        """A program of that name that measures one small case instead of the config `cards`."""
+        program = self.scratch.root / "bin/ptbench"
+        program.parent.mkdir()
+        small = [word if word != ",".join(SPP) else "1" for word in PLAN if word not in ("--fleet", "F")]
+        program.write_text(f"#!/usr/bin/env python3\nimport os, sys\nwords = sys.argv[1:]\nif '--config' in words:\n"
+                           f"    at = words.index('--config')\n    words[at:at + 2] = {small!r}\n"
+                           f"os.execv({BINARY!r}, [{BINARY!r}, *words])\n")
+        program.chmod(0o755)
+        return program
+
+    def test_the_commands_of_the_document(self):
+        text = (SOURCE / "bench/fleet/README.md").read_text()
+        path = f"{self.small_ptbench().parent}:{os.environ['PATH']}"
+        ran = []
+        for line in re.search(r"```sh\n(.*?)```", text, re.S)[1].splitlines():
+            name = line.split()[0]
+            if name in ("flux", "for") or not shutil.which(name, path=path):
+                continue  # ssh and flux need more than this machine
+            line = line.replace("mpirun -N 1 --host n1,n2", "mpirun --allow-run-as-root -n 1")
+            run = subprocess.run(["bash", "-c", line], cwd=self.scratch.work, env=self.scratch.environment(PATH=path), text=True,
+                                 capture_output=True, check=False, timeout=60)
+            self.assertEqual(run.returncode, 0, f"{line}\n{run.stdout}{run.stderr}")
+            ran.append(name)
+        self.assertLessEqual({"srun", "sbatch", "ptbench"}, set(ran))
+        hosts = {host["node"] for host in json.loads((self.scratch.work / "fleet/result.json").read_text())["hosts"]}
+        self.assertLessEqual({"n1", "n2", "n3", "n4"}, hosts)
+        self.assert_nothing_is_left()
 
     def test_two_tasks_a_node_by_mistake_measure_once(self):
         code, out, err = self.srun("-N4", "--ntasks-per-node=2")

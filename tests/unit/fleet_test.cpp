@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "bench/fleet/claim.h"
@@ -66,6 +67,24 @@ TEST(Lease, lives_as_long_as_its_process) {
     another.started_at_tick += 1;
     ended.pid = 0x7fffffff;
     for (const Lease& lease : {before_a_restart, another, ended}) EXPECT_FALSE(is_living(lease));
+}
+
+TEST(Lease, of_a_process_that_waits_to_be_reaped_is_none) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        char byte = 0;
+        ::_exit(static_cast<int>(::read(ends[0], &byte, 1)));
+    }
+    const Lease lease = lease_of(child);
+    EXPECT_TRUE(is_living(lease));
+    ASSERT_EQ(::write(ends[1], "x", 1), 1);
+    siginfo_t ended{};
+    ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT), 0);
+    EXPECT_FALSE(is_living(lease)) << "it is a zombie now";
+    ::waitpid(child, nullptr, 0);
+    for (const int end : ends) ::close(end);
 }
 
 DeviceInfo gpu(const std::string& key, const std::string& uuid) {
@@ -307,6 +326,11 @@ struct FleetFiles : testing::Test {
         return {run, facts};
     }
 
+    void begin() const {
+        std::vector<std::string> differing;
+        join_plan(folder, plan(), differing);
+    }
+
     /// A journal of a node with one device: SPP 2 was measured before SPP 1.
     void add_node(const std::string& name, const std::string& finished_at) const {
         ResultFile run;
@@ -348,7 +372,9 @@ TEST_F(FleetFiles, of_many_who_come_at_once_one_writes_the_plan) {
 TEST_F(FleetFiles, records_are_merged_in_the_order_of_nodes_devices_and_plan) {
     add_node("n2", "now");
     add_node("n1", "now");
-    merge(folder, plan());
+    begin();
+    const Fleet fleet = merge(folder);
+    EXPECT_EQ(fleet.cards.size(), 2u);
     const ResultFile merged = read_run(folder.result());
     EXPECT_THAT(devices_of(merged.cases), ElementsAre("n1/c:0", "n1/c:0", "n2/c:0", "n2/c:0"));
     EXPECT_EQ(merged.cases[0].params.spp, 1);
