@@ -210,7 +210,7 @@ void add_what_to_do(const Judged& judged, const std::string& folder, std::vector
 
 Section remarks(const Judged& judged, const std::string& folder) {
     Section section{"", {}, {}};
-    if (!judged.confirmation.id.empty())
+    if (judged.sessions > 0)
         section.notes.push_back(fmt::format("confirmed in {} of {} sessions, of {} devices", judged.sessions,
                                             judged.sessions + judged.sessions_to_come,
                                             judged.confirmation.cards.size()));

@@ -289,6 +289,24 @@ class Page(unittest.TestCase):
         self.assertEqual(len(texts("#changes svg.forest circle")), 6)
         BROWSER.screenshot(SHOTS / "compare.png")
 
+    def test_a_fleet_has_a_strip_of_dots_and_a_table_that_can_be_filtered(self):
+        words = (*changed(TINY, spp="2"), "-d", "pocl:1", "--expect", "n1", "--fleet", "fleet", "-q")
+        ran = SCRATCH.run(*words, SLURMD_NODENAME="n1")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        like = [json.loads(line) for line in (SCRATCH.work / "fleet/nodes/n1.jsonl").read_text().splitlines()]
+        for node in range(1, 9):
+            like[0]["host"]["node"] = f"n{node}"
+            like[1]["statistics"]["median_ns"] = 1e6 * (1.2 if node == 5 else 1)
+            SCRATCH.write(f"fleet/nodes/n{node}.jsonl", "".join(json.dumps(line) + "\n" for line in like))
+        show(page_of("report", "fleet"))
+        self.assert_clean()
+        self.assertEqual(len(texts("#classes circle")), 8)
+        self.assertEqual(texts("#classes .bad title"), ["n5/pocl:1 +20.0 % suspect, to be confirmed"])
+        BROWSER.evaluate("""(() => { const box = document.querySelector('#cards input');
+                            box.value = 'suspect'; box.dispatchEvent(new Event('input')); })()""")
+        self.assertEqual(texts("#cards output"), ["1 of 8 rows"])
+        BROWSER.screenshot(SHOTS / "fleet.png")
+
 
 if __name__ == "__main__":
     unittest.main()
