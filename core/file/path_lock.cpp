@@ -18,7 +18,8 @@ bool PathLock::take_folder(const std::filesystem::path& folder) {
 }
 
 bool PathLock::take_file(const std::filesystem::path& file) {
-    fd_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);  // some file systems lock only what is written
+    fd_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC,
+                 0666);  // some file systems lock only what is written
     return lock();
 }
 

@@ -41,9 +41,10 @@ def daemon_of(node):
     for file in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
         try:
             words = file.read_bytes().split(b"\0")
+            ours = f"SLURM_CONF={os.environ['SLURM_CONF']}".encode() in (file.parent / "environ").read_bytes()
         except OSError:
             continue
-        if words[:4] == [b"slurmd", b"-D", b"-N", node.encode()]:
+        if ours and words[:4] == [b"slurmd", b"-D", b"-N", node.encode()]:
             return file.parent.name
     return None
 

@@ -30,6 +30,7 @@ chmod 711 "$scratch/munge"
 dd if=/dev/urandom of="$scratch/munge/key" bs=1024 count=1 status=none
 chmod 400 "$scratch/munge/key"
 host=$(hostname -s)
+port=$((20000 + $$ % 2000 * 10)) # another cluster on this machine has others
 cat >"$scratch/slurm.conf" <<CONF
 ClusterName=ptbench
 SlurmctldHost=$host(127.0.0.1)
@@ -37,7 +38,7 @@ SlurmUser=root
 AuthType=auth/munge
 AuthInfo=socket=$scratch/munge/socket
 CryptoType=crypto/munge
-SlurmctldPort=16817
+SlurmctldPort=$port
 StateSaveLocation=$scratch/state
 SlurmctldPidFile=$scratch/slurmctld.pid
 SlurmdPidFile=$scratch/slurmd-%n.pid
@@ -54,7 +55,7 @@ PartitionName=all Nodes=ALL Default=YES State=UP
 CONF
 for ((i = 1; i <= nodes; i++)); do
     mkdir "$scratch/spool/n$i"
-    echo "NodeName=n$i NodeHostname=n$i NodeAddr=127.0.0.1 Port=$((17000 + i)) CPUs=8" >>"$scratch/slurm.conf"
+    echo "NodeName=n$i NodeHostname=n$i NodeAddr=127.0.0.1 Port=$((port + i)) CPUs=8" >>"$scratch/slurm.conf"
 done
 export SLURM_CONF=$scratch/slurm.conf
 

@@ -65,9 +65,10 @@ def processes_of(node):
     for file in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
         try:
             words = file.read_bytes().split(b"\0")
+            ours = f"SLURM_CONF={os.environ['SLURM_CONF']}".encode() in (file.parent / "environ").read_bytes()
         except OSError:
             continue
-        if words[:4] == [b"slurmd", b"-D", b"-N", node.encode()]:
+        if ours and words[:4] == [b"slurmd", b"-D", b"-N", node.encode()]:
             home = namespace(file.parent.name)
             return [int(each.name) for each in pathlib.Path("/proc").glob("[0-9]*") if home and namespace(each.name) == home]
     return []
