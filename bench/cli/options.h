@@ -97,6 +97,8 @@ struct ReportFlags {
     std::vector<std::string> files;                ///< result files or journals
     std::string csv, csv_samples, md, html, json;  ///< files, or "-" for stdout
     std::string format;                            ///< of another tool, to stdout
+    std::string history;                           ///< folder of result files, or empty
+    std::string tolerance;                         ///< of the history's changes, or empty
 };
 
 /// A parsed command line.
