@@ -7,8 +7,8 @@
 #include "bench/cli/commands.h"
 #include "bench/cli/exit_code.h"
 #include "bench/cli/interrupt.h"
-#include "bench/cli/resume.h"
 #include "bench/cli/tell.h"
+#include "bench/record/continued.h"
 #include "bench/worker/device_worker.h"
 
 namespace {

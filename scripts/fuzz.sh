@@ -34,7 +34,7 @@ mkdir -p "$found"
 words >build/fuzz/words
 seconds=${1:-600}
 targets=("${@:2}")
-if [ ${#targets[@]} -eq 0 ]; then targets=(result journal config scene protocol); fi
+if [ ${#targets[@]} -eq 0 ]; then targets=(result journal config scene mesh protocol); fi
 failures=0
 for target in "${targets[@]}"; do
     mkdir -p "$reached/$target"

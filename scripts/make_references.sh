@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes results/references: the exact commands. Run from the repository's root; takes about 30 minutes of one core.
+# Makes results/references: the exact commands. Run from the repository's root; takes about 40 minutes of one core.
 # usage: scripts/make_references.sh [FOLDER OF ptbench_reference] [THREADS]
 set -eu
 bin=${1:-build/release/bin}
@@ -19,6 +19,9 @@ for scene in thesis free_light; do
 done
 make_one thesis pt 8 4000
 make_one free_light pt 8 4000
+for scene in caustic eclipse gap lamp_in_glass; do
+    make_one "$scene" pt 8 8000
+done
 make_one thesis pt 128 6000
 make_one thesis thesis 128 4000
 make_one free_light pt 128 4000

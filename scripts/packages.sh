@@ -19,6 +19,7 @@ libboost-dev            processes, quantiles
 libboost-filesystem-dev needed by Boost.Process
 libopenexr-dev          EXR images
 libpng-dev              PNG images
+libassimp-dev           meshes
 libwebp-dev             small pictures in reports
 zlib1g-dev              small data in reports
 libjs-chart.js          charts in reports
@@ -49,6 +50,10 @@ mesa-opencl-icd         a second OpenCL driver
 clang-tidy              lint: C++
 clang-format-14?        lint: layout, which other versions see otherwise
 shellcheck              lint: scripts
+slurmctld               a cluster of virtual nodes: tests of fleets
+slurmd                  its nodes
+slurm-client            what starts and ends jobs there
+munge                   needed by slurmctld
 groff-base              tests of the man page
 zsh                     tests of its completions
 lintian                 tests of the packages
@@ -61,6 +66,19 @@ is_installed() {
 # as_root COMMAND...: everything it says goes to stderr, since stdout is the program's.
 as_root() {
     if [ "$(id -u)" -eq 0 ]; then "$@" >&2; else sudo "$@" >&2; fi
+}
+
+# starting_nothing COMMAND...: as_root, while services of packages that it installs are not started.
+starting_nothing() {
+    local policy=/usr/sbin/policy-rc.d code=0
+    if [ -e "$policy" ]; then
+        as_root "$@"
+        return
+    fi
+    as_root sh -c "printf '#!/bin/sh\nexit 101\n' >$policy && chmod +x $policy"
+    as_root "$@" || code=$?
+    as_root rm -f "$policy"
+    return "$code"
 }
 
 # missing_of LIST: names of the packages of LIST that are not installed; says which, and what for.
@@ -102,7 +120,7 @@ install_missing() {
     mapfile -t names < <(offered "${missing[@]}")
     if [ ${#names[@]} -eq 0 ]; then return; fi
     if ! { as_root apt-get update &&
-        as_root env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "${names[@]}"; }; then
+        starting_nothing env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "${names[@]}"; }; then
         echo "error: apt-get failed; as root, run: apt-get install ${names[*]}" >&2
         return 1
     fi

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Makes README's tables and picture again.
+"""Makes the tables and the picture of README and docs/ again.
 
-usage: readme.py PTBENCH              tables, of the archived results that README's comments name
+usage: readme.py PTBENCH              tables, of the archived results that comments name
        readme.py PTBENCH --picture    the picture, too: 1000 samples per pixel on the first CPU
 
 A table stands under `<!-- table: VENDOR/DEVICE/RUN -->`, and keeps the columns that it has; cases with explicit
-work-groups are left out. With `+ 2016`, the fastest row of the thesis' table comes first."""
+work-groups are left out. With `+ 2016`, the fastest row of the thesis' table comes first. Under `<!-- board -->` stands the
+first ranking of the archive's page."""
 
+import html
 import json
 import pathlib
 import re
@@ -14,6 +16,8 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
+DOCUMENTS = (ROOT / "README.md", ROOT / "docs/machine.md")
+BOARD = re.compile(r"(<!-- board -->\n\n(?:\|.*\n){2})((?:\|.*\n)+)")
 TABLE = re.compile(r"(<!-- table: (\S+)( \+ 2016)? -->\n\n)((?:\|.*\n)+)")
 
 
@@ -51,10 +55,27 @@ def table_again(ptbench, match):
     return comment + "".join(line + "\n" for line in lines)
 
 
+def plain(cell):
+    return html.unescape(re.sub(r"<small>.*?</small>|<.*?>", "", cell)).strip()
+
+
+def board_rows():
+    """Of the first ranking in the archive's page: place, device, value and how it was measured."""
+    page = (ROOT / "results/archive/index.html").read_text(encoding="utf-8")
+    table = re.search(r'<table class="board">.*?</table>', page, re.S).group()
+    for row in re.findall(r"<tr><td.*?</tr>", table):
+        place, device, _, value, how = re.split(r"<td[^>]*>", row)[1:]
+        yield [plain(cell) for cell in (place, device, value, how)]
+
+
+def board_again(match):
+    return match[1] + "".join(f"| {' | '.join(row)} |\n" for row in board_rows())
+
+
 def main(ptbench, picture=None):
-    readme = ROOT / "README.md"
-    text = readme.read_text(encoding="utf-8")
-    readme.write_text(TABLE.sub(lambda match: table_again(ptbench, match), text), encoding="utf-8")
+    for document in DOCUMENTS:
+        text = TABLE.sub(lambda match: table_again(ptbench, match), document.read_text(encoding="utf-8"))
+        document.write_text(BOARD.sub(board_again, text), encoding="utf-8")
     if picture == "--picture":
         subprocess.run([ptbench, "render", "-d", "cpu", "--kernel", "pt", "--scene", "thesis", "--size", "256", "--spp", "1000",
                         "-o", ROOT / "results/pictures/thesis-pt.png"], check=True)

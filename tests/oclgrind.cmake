@@ -23,17 +23,21 @@ foreach(kernel whitted direct)
   ptbench_oclgrind(${kernel} 4 balls:40)
 endforeach()
 ptbench_oclgrind(pt_nee 4 thesis roulette=albedo)
+ptbench_oclgrind(bdpt 1 thesis)
+ptbench_oclgrind(bdpt 4 thesis roulette=albedo)
 ptbench_oclgrind(thesis 1 thesis queue=out_of_order dispatch=tasks)
 ptbench_oclgrind(pt 1 thesis scene_memory=local rng=park_miller)
 ptbench_oclgrind(pt 4 thesis scene_memory=private pixel_filter=stratified queue=out_of_order)
 ptbench_oclgrind(pt 1 thesis dispatch=tasks build=strict)
+ptbench_oclgrind(pt_nee 1 mesh_room bvh=bvh2)
+ptbench_oclgrind(pt 1 mesh_room bvh=wide8)
 # Films in images are not watched: Oclgrind 21.10 takes what image functions return for uninitialised.
 
 # What kernels count of themselves, against the instructions.
 function(ptbench_oclgrind_counts kernel scene)
   string(REPLACE ":" "_" name oclgrind.counted_${kernel}_${scene})
   add_test(NAME ${name} COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_SOURCE_DIR}/render/counted.py
-                                $<TARGET_FILE:render_once> ${kernel} ${scene})
+                                $<TARGET_FILE:render_once> ${kernel} ${scene} ${ARGN})
   set_tests_properties(${name} PROPERTIES LABELS oclgrind TIMEOUT 300 SKIP_RETURN_CODE 77)
 endfunction()
 
@@ -42,6 +46,7 @@ foreach(kernel pt pt_nee direct whitted)
   ptbench_oclgrind_counts(${kernel} thesis)
   ptbench_oclgrind_counts(${kernel} balls:40)
 endforeach()
+ptbench_oclgrind_counts(bdpt thesis 4) # all pairs take their time
 ptbench_oclgrind_counts(pt far_apart)
 ptbench_oclgrind_counts(pt at_a_wall)
 ptbench_oclgrind_counts(pt_nee at_a_wall)

@@ -49,8 +49,10 @@ AbPlan plan_ab(const AbFlags& flags, const CommonFlags& common) {
     plan.now = side_of(flags, common, flags.now, flags.new_kernels, flags.new_config);
     plan.base_config = side_config(flags, common, plan.base);
     plan.now_config = side_config(flags, common, plan.now);
-    check_names(expand(plan.base_config, {DeviceInfo()}));
-    check_names(expand(plan.now_config, {DeviceInfo()}));
+    std::vector<Case> cases = expand(plan.base_config, {DeviceInfo()});
+    const std::vector<Case> others = expand(plan.now_config, {DeviceInfo()});
+    cases.insert(cases.end(), others.begin(), others.end());
+    check_names_and_tell(cases, common);
     return plan;
 }
 

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "bench/cli/options.h"
-#include "bench/cli/resume.h"
 #include "bench/plan/data_dir.h"
 
 namespace ptb {
@@ -77,10 +76,9 @@ Axis axis_of_values(const std::string& axis, const std::string& text) {
     return parse_axis(axis + "=" + (bare_list ? "[" + values + "]" : values));
 }
 
-Config configured(const RunFlags& flags, const CommonFlags& common,
-                  const std::optional<ResultFile>& earlier) {
+Config configured(const RunFlags& flags, const CommonFlags& common, const std::optional<Config>& earlier) {
     Config config = earlier && flags.config.empty()
-                        ? config_of(*earlier, flags.resume)
+                        ? *earlier
                         : load_config(flags.config.empty() ? "quick" : flags.config, data_dir() / "configs");
     apply_devices(flags, config);
     for (const Axis& axis : axes_of(flags)) override_axis(config, axis);

@@ -1,12 +1,18 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "bench/cli/options.h"
 #include "bench/plan/case.h"
 
 namespace ptb {
 
 /// Throws UsageError for a kernel or scene that does not exist, and for a scene file that cannot be used.
-void check_names(const std::vector<Case>& cases);
+/// Says to stderr which large files it reads; the result says what of scenes is left out.
+std::vector<std::string> check_names(const std::vector<Case>& cases, const CommonFlags& flags);
+
+/// The same, and says to stderr what is left out.
+void check_names_and_tell(const std::vector<Case>& cases, const CommonFlags& flags);
 
 }  // namespace ptb

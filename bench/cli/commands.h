@@ -10,6 +10,8 @@ namespace ptb {
 
 // The commands; each returns an exit code. A user's mistake is a UsageError.
 int run_command(const Options& options, const std::vector<std::string>& argv);
+int fleet_command(const Options& options, const std::vector<std::string>& argv);
+int confirm_command(const Options& options);
 int list_command(const Options& options);
 int render_command(const Options& options);
 int compare_command(const Options& options);

@@ -138,6 +138,18 @@ void add_baselines(CLI::App& app, RunFlags& flags) {
     option(app, "--baseline-dir", flags.baseline_dir, "folder of baselines")->capture_default_str();
 }
 
+/// A node of a fleet writes its journal and no other output; what it takes part in is of the whole fleet.
+void add_fleet(CLI::App& app, RunFlags& flags) {
+    auto* const fleet =
+        option(app, "--fleet", flags.fleet, "take part in measuring many nodes, which share this folder");
+    option(app, "--expect", flags.expect, "the fleet's nodes: n1,n[3-7] [those of Slurm's job]")
+        ->needs(fleet);
+    flag(app, "--confirm", flags.confirm, "measure the fleet's suspects again, beside others")->needs(fleet);
+    for (const char* const other : {"--resume", "--out", "--json", "--csv", "--csv-samples", "--md", "--html",
+                                    "--launcher", "--no-isolate", "--baseline", "--save-baseline"})
+        fleet->excludes(app.get_option(other));
+}
+
 void add_run(CLI::App& app, RunFlags& flags, bool& list) {
     option(app, "--config", flags.config, "name or file of a config [quick]");
     list_option(app, "-d,--device", flags.devices,
@@ -219,6 +231,7 @@ struct Grammar {
         app.footer(footer());
         add_run(app, options.run, list_flag);
         add_common_flags(app, options.common);
+        add_fleet(app, options.run);
         list = app.add_subcommand("list", "devices, kernels, scenes and configs");
         list->add_flag("--json", options.list.json, "as JSON");
         list->add_flag("--peaks", options.list.peaks, "also measure what the devices can do at most");

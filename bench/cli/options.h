@@ -33,6 +33,9 @@ struct RunFlags {
     bool skip_time = false, dry_run = false, dump_config = false, no_isolate = false, peaks = false;
     std::string json, csv, csv_samples, md, html;  ///< files, or "-" for stdout
     std::string baseline, save_baseline, baseline_dir = "ptbench-baselines";
+    std::string fleet;   ///< folder that many nodes share, or empty
+    std::string expect;  ///< its nodes, or empty: those of Slurm's job
+    bool confirm = false;
     bool no_tuned = false;  ///< ignore what `tune` stored
     std::string tune_file;  ///< where it did, or empty for the user's own
     std::string out;        ///< folder of the run's outputs, or empty for one named after time and config
@@ -97,6 +100,8 @@ struct ReportFlags {
     std::vector<std::string> files;                ///< result files or journals
     std::string csv, csv_samples, md, html, json;  ///< files, or "-" for stdout
     std::string format;                            ///< of another tool, to stdout
+    std::string history;                           ///< folder of result files, or empty
+    std::string tolerance;                         ///< of the history's changes, or empty
 };
 
 /// A parsed command line.
@@ -123,9 +128,9 @@ Options parse_options(std::vector<std::string> arguments);
 /// What --help says, the program itself first, then its commands.
 std::vector<CommandText> command_texts();
 
-/// The config that the flags name, or else the `earlier` run's, changed as the flags say.
+/// The config that the flags name, or else that of an `earlier` run, changed as the flags say.
 Config configured(const RunFlags& flags, const CommonFlags& common,
-                  const std::optional<ResultFile>& earlier = std::nullopt);
+                  const std::optional<Config>& earlier = std::nullopt);
 
 /// "10,100" -> the axis "spp=[10,100]"
 Axis axis_of_values(const std::string& axis, const std::string& text);

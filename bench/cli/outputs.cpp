@@ -136,7 +136,7 @@ Outputs::Outputs(const RunFlags& flags, const std::string& config, const std::st
                         {"html", flags.html}});
     refuse_shared_files(files());
     created_ = create_folder(folder_);
-    if (!lock_.take(folder_))
+    if (!lock_.take_folder(folder_))
         throw UsageError(
             fmt::format("--out: {} is in use by another run; name another folder", folder_.string()));
     check_asked(asked_);

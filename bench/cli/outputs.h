@@ -10,7 +10,7 @@
 #include "bench/cli/options.h"
 #include "bench/record/record.h"
 #include "bench/report/published.h"
-#include "core/file/folder_lock.h"
+#include "core/file/path_lock.h"
 
 namespace ptb {
 
@@ -54,7 +54,7 @@ class Outputs {
     void write_all(const ResultFile& result, const PublishedTable& published);
 
     std::filesystem::path folder_;
-    FolderLock lock_;
+    PathLock lock_;
     bool created_ = false;
     Destinations asked_;
     std::vector<std::string> written_;

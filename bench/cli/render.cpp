@@ -64,13 +64,13 @@ void check_time(const RenderFlags& flags, const Case& c) {
             "jitter, centre");
 }
 
-Case case_of(const RenderFlags& flags) {
+Case case_of(const RenderFlags& flags, const CommonFlags& common) {
     Case c = default_case();
     for (const std::string& text : flags.axes) set_only_point(c, parse_axis(text), "-a", text);
     for (const auto& [axis, text] : flags.axis_values)
         set_only_point(c, axis_of_values(axis, text), axis, text);
     check_case(c);
-    check_names({c});
+    check_names_and_tell({c}, common);
     check_time(flags, c);
     return c;
 }
@@ -133,7 +133,7 @@ std::string outcome_text(const RenderFlags& flags, const Response& rendered) {
 int render_command(const Options& options) {
     const RenderFlags& flags = options.render;
     check_output(flags.output);
-    Case c = case_of(flags);
+    Case c = case_of(flags, options.common);
     const DeviceList list = find_devices(options.common);
     if (!any_usable(list)) {
         put(stderr, no_device_text(list) + "\n");

@@ -2,7 +2,9 @@
 
 #include "bench/cli/commands.h"
 #include "bench/cli/exit_code.h"
+#include "bench/cli/fleet_report.h"
 #include "bench/cli/formats.h"
+#include "bench/cli/history.h"
 #include "bench/cli/option_parts.h"
 #include "bench/cli/tell.h"
 #include "bench/plan/data_dir.h"
@@ -35,19 +37,27 @@ Destinations destinations(const ReportFlags& flags) {
 }  // namespace
 
 void add_report_flags(CLI::App& app, ReportFlags& flags) {
-    app.add_option("files", flags.files, "result files or journals; several make one page");
+    app.add_option("files", flags.files,
+                   "result files or journals, of which several make one page; or the folder of a fleet");
     app.add_option("--format", flags.format, formats_help());
     app.add_option("--html", flags.html, "write a page here (- for stdout)");
     app.add_option("--md", flags.md, "write Markdown here (- for stdout)");
     app.add_option("--csv", flags.csv, "write CSV here (- for stdout)");
     app.add_option("--csv-samples", flags.csv_samples, "write every sample as CSV here (- for stdout)");
-    app.add_option("--json", flags.json, "write the result file here (- for stdout)");
+    app.add_option("--json", flags.json, "write the result file, or the history, here (- for stdout)");
+    app.add_option("--history", flags.history,
+                   "a folder of result files: a line a case over the dates of its runs, changes marked");
+    app.add_option("--tolerance", flags.tolerance,
+                   "of a history: changes under half of it are not told [5%]");
 }
 
 int report_command(const Options& options) {
     const ReportFlags& flags = options.report;
+    if (!flags.history.empty()) return report_history(options);
     if (flags.files.empty())
         throw UsageError("report: a result file is missing, e.g. ptbench report result.json");
+    if (flags.files.size() == 1 && is_fleet(flags.files.front()))
+        return fleet_report(options, {flags.files.front()});
     const Destinations asked = destinations(flags);
     std::vector<StoredRun> runs;
     const std::vector<std::filesystem::path> files(flags.files.begin(), flags.files.end());

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <set>
@@ -7,78 +6,40 @@
 #include <fmt/format.h>
 
 #include "bench/cli/baseline.h"
-#include "bench/cli/check.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/exit_code.h"
 #include "bench/cli/hints.h"
 #include "bench/cli/interrupt.h"
+#include "bench/cli/journal_writer.h"
 #include "bench/cli/outputs.h"
 #include "bench/cli/plan_text.h"
+#include "bench/cli/prepared.h"
 #include "bench/cli/resume.h"
 #include "bench/cli/tell.h"
 #include "bench/cli/tuned.h"
 #include "bench/measure/clock.h"
 #include "bench/measure/counted.h"
 #include "bench/measure/fit.h"
-#include "bench/measure/surroundings.h"
 #include "bench/plan/data_dir.h"
-#include "bench/plan/scene_file.h"
-#include "bench/record/host.h"
-#include "bench/record/journal.h"
+#include "bench/record/continued.h"
 #include "bench/report/table.h"
-#include "bench/worker/progress.h"
-#include "core/input/json.h"
-#include "core/source/source.h"
 
 namespace ptb {
 namespace {
 
-/// Appends each record to the journal; a journal that cannot be written is a warning, not the end of the run.
-class JournalWriter : public RunObserver {
-  public:
-    JournalWriter(const std::filesystem::path& file, ResultFile& result)
-        : journal_(file, result), warnings_(result.warnings) {}
-    void finished(std::size_t, const Record& record) override {
-        if (broken_) return;
-        try {
-            journal_.append(record);
-        } catch (const std::exception& error) {
-            broken_ = true;
-            warnings_.push_back(fmt::format("the journal ends early: {}", error.what()));
-        }
-    }
-
-  private:
-    Journal journal_;
-    std::vector<std::string>& warnings_;
-    bool broken_ = false;
-};
-
-/// Everything a run needs, found and checked before any device does work.
-struct Prepared {
-    std::optional<ResultFile> earlier;  ///< the run to go on with
-    Config config;
-    PublishedTable published;
-    DeviceList list;
-    std::vector<Case> tuned;  ///< what the plan takes where the config leaves a launch open
-    std::vector<Case> planned;
-    RunPlan plan;  ///< of the planned cases those that have no record
-};
-
-void check_before_devices(const Config& config) { check_names(expand(config, {DeviceInfo()})); }
+Config config_for(const Options& options, const std::optional<ResultFile>& earlier) {
+    const auto began = earlier ? std::optional(config_of(*earlier, options.run.resume)) : std::nullopt;
+    return configured(options.run, options.common, began);
+}
 
 Prepared prepare(const Options& options) {
     Prepared prepared;
     prepared.earlier = earlier_run(options.run);
-    prepared.config = configured(options.run, options.common, prepared.earlier);
-    check_before_devices(prepared.config);
-    prepared.published = read_published(data_dir() / "results" / "thesis-2016.json");
+    prepared.config = config_for(options, prepared.earlier);
+    prepared.remarks = check_before_devices(prepared.config, options.common);
     prepared.list = find_devices(options.common);
     if (!any_usable(prepared.list)) return prepared;
-    RunPlan& plan = prepared.plan;
-    plan.measure = prepared.config.measure;
-    plan.measure.count = options.run.peaks;
-    plan.max_total_time_s = prepared.config.max_total_time_s;
+    RunPlan& plan = prepared.plan = empty_plan(prepared.config, options.run);
     plan.devices = select_devices(prepared.config.devices, prepared.list.devices);
     prepared.tuned = prepared.earlier && !options.run.no_tuned
                          ? prepared.earlier->run.tuned
@@ -94,59 +55,10 @@ std::unique_ptr<IcdFolder> only_driver(const std::vector<DeviceInfo>& devices) {
     return std::make_unique<IcdFolder>(icd_from_file(devices.front().icd));
 }
 
-OpenChannel channels(const Options& options, const Config& config, const Stopped& stopped) {
-    if (options.run.no_isolate) return in_process_channels();
-    const std::chrono::duration<double> silence(config.timeout_s);
-    return process_channels(worker_launch(options.common),
-                            std::chrono::duration_cast<std::chrono::milliseconds>(silence), stopped);
-}
-
-ProgressStyle progress_style(const CommonFlags& flags) {
-    if (flags.quiet) return ProgressStyle::silent;
-    return is_live(stderr) ? ProgressStyle::live : ProgressStyle::lines;
-}
-
-std::vector<std::string> warnings_before(const HostInfo& host, const Options& options) {
-    std::vector<std::string> warnings;
-    if (const int running = running_now(); is_busy(running, host.cores)) {
-        warnings.push_back(fmt::format(
-            "threads of other programs that ran before the run: {}, on {} cores; times on CPUs will "
-            "vary: end what `top` shows, or take more --min-samples",
-            running, host.cores));
-    }
-    if (options.run.no_isolate) {
-        warnings.push_back("--no-isolate: one driver's crash ends the run, and drivers share a process");
-    }
-    return warnings;
-}
-
-ResultFile start_result(const Prepared& prepared, const Options& options,
-                        const std::vector<std::string>& argv) {
-    ResultFile result;
-    result.run = run_info(argv, prepared.config.name, prepared.config.measure.seed);
-    result.run.settings.json = dump_config(prepared.config);
-    result.host = host_info();
-    result.devices = prepared.plan.devices;
-    std::copy_if(prepared.list.devices.begin(), prepared.list.devices.end(),
-                 std::back_inserter(result.devices),
-                 [](const DeviceInfo& device) { return !device.excluded.empty(); });
-    result.broken_icds = prepared.list.broken;
-    result.warnings = warnings_before(result.host, options);
-    return result;
-}
-
-std::vector<std::string> hashed_scenes(const std::vector<Case>& cases) {
-    std::set<std::string> names;
-    for (const Case& c : cases) names.insert(c.scene);
-    std::vector<std::string> scenes;
-    for (const auto& name : names)
-        scenes.push_back(name + " " + text_hash(read_text(scene_file(name, data_dir()))));
-    return scenes;
-}
-
 /// Leaves to be measured what the earlier run has not.
 void resume(const Options& options, Prepared& prepared, ResultFile& result) {
-    go_on(result, *prepared.earlier, prepared.planned, options.run, prepared.config.measure.kernel_dir);
+    go_on(result, *prepared.earlier, prepared.planned, "--resume: " + options.run.resume,
+          prepared.config.measure.kernel_dir);
     prepared.plan.cases = missing(prepared.planned, result.cases);
     tell(options.common, fmt::format("resumed: {} of {} cases are in {}", result.cases.size(),
                                      prepared.planned.size(), options.run.resume));
@@ -167,13 +79,13 @@ void run_plan(const Options& options, const Prepared& prepared, const Outputs& o
     result.fits = fits_over_spp(result.cases);
 }
 
-void report(const Options& options, const Prepared& prepared, Outputs& outputs, const ResultFile& result) {
+void report(const Options& options, const Prepared& prepared, const PublishedTable& published,
+            Outputs& outputs, const ResultFile& result) {
     const bool taken = outputs.stdout_is_taken();
     std::FILE* const out = taken ? stderr : stdout;
-    if (!taken || !options.common.quiet)
-        put(out, table(result, prepared.published, text_style(options.common, out)));
+    if (!taken || !options.common.quiet) put(out, table(result, published, text_style(options.common, out)));
     tell_build_logs(options.common, result.cases);
-    outputs.write(result, prepared.published);
+    outputs.write(result, published);
     tell(options.common, fmt::format("written: {}", fmt::join(outputs.written(), " ")));
     if (result.run.interrupted) {
         tell(options.common, fmt::format("go on with: ptbench --resume {}", outputs.journal().string()));
@@ -187,6 +99,7 @@ void report(const Options& options, const Prepared& prepared, Outputs& outputs, 
 
 int measure(const Options& options, Prepared& prepared, ResultFile& result, const Stopped& stopped) {
     const double start_s = steady_seconds();
+    const PublishedTable published = read_published(data_dir() / "results" / "thesis-2016.json");
     Baseline baseline(options.run);
     Outputs outputs(options.run, prepared.config.name, result.run.started_at);
     prepared.plan.image_files = outputs.pictures(prepared.config.pictures, prepared.planned, result.cases);
@@ -200,7 +113,7 @@ int measure(const Options& options, Prepared& prepared, ResultFile& result, cons
     result.pictures = outputs.made(result.cases);
     if (!result.run.interrupted) outputs.keep(result.pictures);
     baseline.judge(result, prepared.config);
-    report(options, prepared, outputs, result);
+    report(options, prepared, published, outputs, result);
     Outcome outcome = outcome_of(result.cases);
     baseline.conclude(result, options.common, outputs.stdout_is_taken() ? stderr : stdout, outcome);
     outcome.failed |= coordinator.has_given_up();
@@ -221,9 +134,11 @@ int dry_run(const Options& options, const Prepared& prepared, const Stopped& sto
 
 int run_command(const Options& options, const std::vector<std::string>& argv) {
     if (options.run.dump_config) {
-        put(stdout, dump_config(configured(options.run, options.common, earlier_run(options.run))));
+        put(stdout, dump_config(config_for(options, earlier_run(options.run))));
         return exit_codes::done;
     }
+    if (options.run.confirm) return confirm_command(options);
+    if (!options.run.fleet.empty() && !options.run.dry_run) return fleet_command(options, argv);
     Prepared prepared = prepare(options);
     if (prepared.plan.devices.empty()) {
         put(stderr, no_device_text(prepared.list) + "\n");
@@ -231,7 +146,6 @@ int run_command(const Options& options, const std::vector<std::string>& argv) {
     }
     tell_what_is_left_out(options.common, prepared.list);
     ResultFile result = start_result(prepared, options, argv);
-    result.run.scenes = hashed_scenes(prepared.planned);
     result.run.tuned = used_launches(prepared.tuned, prepared.planned);
     if (prepared.earlier) resume(options, prepared, result);
     const auto driver = only_driver(prepared.plan.devices);

@@ -116,7 +116,7 @@ class Tuning {
 int tune_command(const Options& options) {
     const RunFlags& flags = options.tune.run;
     const Config config = configured(flags, options.common);
-    check_names(expand(config, {DeviceInfo()}));
+    check_names_and_tell(expand(config, {DeviceInfo()}), options.common);
     heats_of(config, DeviceInfo());
     const auto file = checked_file(flags);
     const DeviceList list = find_devices(options.common);

@@ -32,12 +32,13 @@ std::vector<double> holm(std::span<const double> p) {
     return adjusted;
 }
 
-std::optional<Prediction> predict(std::span<const double> history, double value, double confidence) {
-    if (history.size() < 2) return std::nullopt;
+std::optional<Prediction> predict(std::span<const double> history, std::span<const double> next,
+                                  double confidence) {
+    if (history.size() < 2 || next.empty()) return std::nullopt;
     const auto [mean, sd] = moments(history);
-    const double n = static_cast<double>(history.size());
+    const double n = static_cast<double>(history.size()), m = static_cast<double>(next.size());
     const boost::math::students_t t(n - 1);
-    Prediction p{value - mean, 1, 0, 0, sd * std::sqrt(1 + 1 / n)};
+    Prediction p{moments(next).mean - mean, 1, 0, 0, sd * std::sqrt(1 / m + 1 / n)};
     const double reach = boost::math::quantile(t, (1 + confidence) / 2) * p.standard_error;
     p.low = p.difference - reach;
     p.high = p.difference + reach;

@@ -107,7 +107,7 @@ double SessionCase::median_ns() const {
 }
 
 Session session_of(const ResultFile& result, const std::string& file) {
-    Session session{file, result.run.started_at, {}};
+    Session session{file, result.run.started_at, {}, result.run.git_sha};
     std::map<Case, int> asked;
     for (const Record& record : result.cases) ++asked[as_asked(record.params)];
     for (const Record& record : result.cases) {

@@ -39,6 +39,7 @@ struct SessionCase {
 struct Session {
     std::string file, started_at;
     std::vector<SessionCase> cases;
+    std::string revision{};  ///< of the source of what was measured, where it is known
 };
 
 /// Reads a result or journal of ptbench, or a result of Google Benchmark (--benchmark_out_format=json) or

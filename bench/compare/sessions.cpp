@@ -1,45 +1,25 @@
 #include "bench/compare/sessions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
+#include "bench/compare/differences.h"
 #include "bench/compare/evidence.h"
 #include "bench/compare/match.h"
 #include "bench/compare/rank_tests.h"
 #include "bench/measure/statistics.h"
-#include "core/input/printable.h"
 
 namespace ptb {
 namespace {
 
-constexpr std::size_t most_shown = 60;
-
-std::string two_values(const std::string& field, const std::string& one, const std::string& other) {
-    const auto [a, b] = where_they_differ(one, other, most_shown);
-    return fmt::format("{}: \"{}\" and \"{}\"", field, a, b);
-}
-
-const Fact* fact(const SessionCase& c, const std::string& field) {
-    const auto found = std::find_if(c.fingerprint.begin(), c.fingerprint.end(),
-                                    [&](const Fact& each) { return each.field == field; });
-    return found == c.fingerprint.end() ? nullptr : &*found;
-}
-
-std::string scene_text(const SessionCase& c) { return c.params->scene + " " + c.scene_hash; }
-
 /// What differs between two sessions' case, into the comparison.
 void add_differing(const SessionCase& one, const SessionCase& other, Comparison& comparison) {
-    if (!one.scene_hash.empty() && !other.scene_hash.empty() && one.scene_hash != other.scene_hash)
-        comparison.differing.insert(two_values("scene", scene_text(one), scene_text(other)));
-    for (const Fact& a : one.fingerprint) {
-        const Fact* const b = fact(other, a.field);
-        if (b == nullptr || a.value == b->value) continue;
-        const bool noted = a.may_differ || b->may_differ;
-        (noted ? comparison.notes : comparison.differing).insert(two_values(a.field, a.value, b->value));
-    }
+    for (const Difference& each : differences(one, other))
+        (each.may_differ ? comparison.notes : comparison.differing).insert(each.text);
 }
 
 void add_differing(const Matched& m, Comparison& comparison) {
@@ -109,7 +89,7 @@ Finding finding_after(const std::vector<double>& history, double now) {
     finding.base_ns = median_of_logs(history);
     finding.now_ns = std::exp(now);
     finding.n = static_cast<int>(history.size());
-    const auto predicted = predict(history, now, interval_confidence);
+    const auto predicted = predict(history, std::array{now}, interval_confidence);
     finding.evidence.standard_error = std::numeric_limits<double>::quiet_NaN();
     finding.evidence.shift.value = now - moments(history).mean;
     if (!predicted) return finding;

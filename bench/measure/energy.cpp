@@ -16,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double rapl_least_s = 0.1;  ///< it counts every millisecond
+constexpr double nvml_least_s = 2;    ///< it advances ten times a second: 5 %
 
 std::string text_in(const fs::path& file) {
     std::ifstream stream(file);
@@ -82,6 +83,20 @@ EnergyCounter rapl_counter(const fs::path& powercap) {
         };
     } catch (const std::exception& error) {
         counter.reason = fmt::format("{}: root may; `sudo chmod a+r` it", error.what());
+    }
+    return counter;
+}
+
+EnergyCounter nvml_counter(const std::string& uuid, const std::string& library) {
+    EnergyCounter counter;
+    counter.source = "NVML";
+    counter.least_s = nvml_least_s;
+    try {
+        const auto gpu = std::make_shared<NvmlGpu>(uuid, library);
+        counter.joules = [gpu] { return gpu->joules(); };
+        counter.joules();
+    } catch (const std::exception& error) {
+        counter.reason = error.what();
     }
     return counter;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "bench/measure/nvml.h"
 #include "bench/record/record.h"
 #include "core/ocl/device_info.h"
 
@@ -22,7 +23,7 @@ struct EnergyCounter {
 EnergyCounter rapl_counter(const std::filesystem::path& powercap = "/sys/class/powercap");
 
 /// Of the NVIDIA GPU with this UUID (32 hexadecimal digits), from a library loaded now.
-EnergyCounter nvml_counter(const std::string& uuid, const std::string& library = "libnvidia-ml.so.1");
+EnergyCounter nvml_counter(const std::string& uuid, const std::string& library = nvml_library);
 
 /// The one that covers this device.
 EnergyCounter energy_counter(const DeviceInfo& device);

@@ -1,66 +1,30 @@
-// NVIDIA's Management Library, as far as an energy counter goes; loaded at run time, so that no machine needs
-// it.
-#include <memory>
+#include "bench/measure/nvml.h"
+
+#include <array>
+#include <optional>
 #include <stdexcept>
 
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include "bench/measure/energy.h"
-
 namespace ptb {
 namespace {
-
-constexpr double least_s = 2;  ///< it advances ten times a second: 5 %
 
 using Code = int;
 constexpr Code success = 0;
 using Gpu = void*;
+constexpr int sm_clock = 1, memory_clock = 2, gpu_sensor = 0;
 
-/// The library while it is in use.
-class Nvml {
-  public:
-    explicit Nvml(const std::string& library) : library_(::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL)) {
-        if (!library_) throw std::runtime_error(fmt::format("cannot load NVML: {}", ::dlerror()));
-        call<Code()>("nvmlInit_v2");
-    }
-    ~Nvml() {
-        if (auto* const shutdown = ::dlsym(library_.get(), "nvmlShutdown"))
-            reinterpret_cast<Code (*)()>(shutdown)();
-    }
-    Nvml(const Nvml&) = delete;
-    Nvml& operator=(const Nvml&) = delete;
-
-    Gpu by_uuid(const std::string& uuid) const {
-        Gpu gpu = nullptr;
-        call<Code(const char*, Gpu*)>("nvmlDeviceGetHandleByUUID", uuid.c_str(), &gpu);
-        return gpu;
-    }
-
-    double joules(Gpu gpu) const {
-        unsigned long long millijoules = 0;
-        call<Code(Gpu, unsigned long long*)>("nvmlDeviceGetTotalEnergyConsumption", gpu, &millijoules);
-        return static_cast<double>(millijoules) * 1e-3;
-    }
-
-  private:
-    template <class Function, class... Arguments>
-    void call(const char* name, Arguments... arguments) const {
-        auto* const function = reinterpret_cast<Function*>(::dlsym(library_.get(), name));
-        if (function == nullptr) throw std::runtime_error(fmt::format("this NVML has no {}", name));
-        if (const Code code = function(arguments...); code != success)
-            throw std::runtime_error(fmt::format("{} says {} ({})", name, code, meaning(code)));
-    }
-
-    std::string meaning(Code code) const {
-        auto* const text = ::dlsym(library_.get(), "nvmlErrorString");
-        return text == nullptr ? "no text" : reinterpret_cast<const char* (*)(Code)>(text)(code);
-    }
-
-    struct Close {
-        void operator()(void* library) const { ::dlclose(library); }
-    };
-    std::unique_ptr<void, Close> library_;
+/// Why a clock is lower than it could be; being idle is no reason.
+struct ThrottleReason {
+    unsigned long long bit;
+    const char* name;
+};
+constexpr std::array throttle_reasons{
+    ThrottleReason{0x2, "application clocks"}, ThrottleReason{0x4, "power cap"},
+    ThrottleReason{0x8, "hardware slowdown"},  ThrottleReason{0x10, "sync boost"},
+    ThrottleReason{0x20, "software thermal"},  ThrottleReason{0x40, "hardware thermal"},
+    ThrottleReason{0x80, "power brake"},       ThrottleReason{0x100, "display clocks"},
 };
 
 /// 32 digits -> "GPU-8-4-4-4-12".
@@ -72,19 +36,119 @@ std::string nvml_uuid(const std::string& hex) {
 
 }  // namespace
 
-EnergyCounter nvml_counter(const std::string& uuid, const std::string& library) {
-    EnergyCounter counter;
-    counter.source = "NVML";
-    counter.least_s = least_s;
-    try {
-        const auto nvml = std::make_shared<Nvml>(library);
-        const Gpu gpu = nvml->by_uuid(nvml_uuid(uuid));
-        counter.joules = [nvml, gpu] { return nvml->joules(gpu); };
-        counter.joules();
-    } catch (const std::exception& error) {
-        counter.reason = error.what();
+/// The library while it is in use.
+class NvmlGpu::Library {
+  public:
+    explicit Library(const std::string& file) : library_(::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+        if (!library_) throw std::runtime_error(fmt::format("cannot load NVML: {}", ::dlerror()));
+        call<Code()>("nvmlInit_v2");
     }
-    return counter;
+    ~Library() {
+        if (auto* const shutdown = ::dlsym(library_.get(), "nvmlShutdown"))
+            reinterpret_cast<Code (*)()>(shutdown)();
+    }
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+
+    template <class Function, class... Arguments>
+    void call(const char* name, Arguments... arguments) const {
+        auto* const function = reinterpret_cast<Function*>(::dlsym(library_.get(), name));
+        if (function == nullptr) throw std::runtime_error(fmt::format("this NVML has no {}", name));
+        if (const Code code = function(arguments...); code != success)
+            throw std::runtime_error(fmt::format("{} says {} ({})", name, code, meaning(code)));
+    }
+
+    /// What a call tells through its last parameter, or nothing where it tells nothing.
+    template <class Value, class... Arguments>
+    std::optional<Value> told(const char* name, Arguments... arguments) const {
+        Value value{};
+        auto* const function =
+            reinterpret_cast<Code (*)(Arguments..., Value*)>(::dlsym(library_.get(), name));
+        if (function == nullptr || function(arguments..., &value) != success) return std::nullopt;
+        return value;
+    }
+
+    /// Whether memory is checked now; what is to be after the next start is left out.
+    std::optional<bool> ecc(Gpu gpu) const {
+        int now = 0, later = 0;
+        auto* const function =
+            reinterpret_cast<Code (*)(Gpu, int*, int*)>(::dlsym(library_.get(), "nvmlDeviceGetEccMode"));
+        if (function == nullptr || function(gpu, &now, &later) != success) return std::nullopt;
+        return now != 0;
+    }
+
+    /// The same for text.
+    std::string text(const char* name, Gpu gpu) const {
+        std::array<char, 96> text{};
+        auto* const function =
+            reinterpret_cast<Code (*)(Gpu, char*, unsigned)>(::dlsym(library_.get(), name));
+        if (function == nullptr || function(gpu, text.data(), unsigned{text.size()}) != success) return "";
+        text.back() = '\0';
+        return text.data();
+    }
+
+  private:
+    std::string meaning(Code code) const {
+        auto* const text = ::dlsym(library_.get(), "nvmlErrorString");
+        return text == nullptr ? "no text" : reinterpret_cast<const char* (*)(Code)>(text)(code);
+    }
+
+    struct Close {
+        void operator()(void* library) const { ::dlclose(library); }
+    };
+    std::unique_ptr<void, Close> library_;
+};
+
+NvmlGpu::NvmlGpu(const std::string& uuid, const std::string& library)
+    : nvml_(std::make_shared<Library>(library)) {
+    nvml_->call<Code(const char*, Gpu*)>("nvmlDeviceGetHandleByUUID", nvml_uuid(uuid).c_str(), &gpu_);
+}
+
+double NvmlGpu::joules() const {
+    unsigned long long millijoules = 0;
+    nvml_->call<Code(Gpu, unsigned long long*)>("nvmlDeviceGetTotalEnergyConsumption", gpu_, &millijoules);
+    return static_cast<double>(millijoules) * 1e-3;
+}
+
+void NvmlGpu::describe(DeviceInfo& device) const {
+    device.serial = nvml_->text("nvmlDeviceGetSerial", gpu_);
+    device.vbios = nvml_->text("nvmlDeviceGetVbiosVersion", gpu_);
+    device.ecc = nvml_->ecc(gpu_);
+    if (const auto mhz = nvml_->told<unsigned>("nvmlDeviceGetMaxClockInfo", gpu_, sm_clock))
+        device.max_clock_mhz = static_cast<int>(*mhz);
+    if (const auto mhz = nvml_->told<unsigned>("nvmlDeviceGetMaxClockInfo", gpu_, memory_clock))
+        device.max_memory_clock_mhz = static_cast<int>(*mhz);
+    if (const auto milliwatts = nvml_->told<unsigned>("nvmlDeviceGetEnforcedPowerLimit", gpu_))
+        device.power_limit_w = *milliwatts * 1e-3;
+}
+
+GpuState NvmlGpu::state() const {
+    GpuState state;
+    if (const auto mhz = nvml_->told<unsigned>("nvmlDeviceGetClockInfo", gpu_, sm_clock))
+        state.clock_mhz = static_cast<int>(*mhz);
+    if (const auto mhz = nvml_->told<unsigned>("nvmlDeviceGetClockInfo", gpu_, memory_clock))
+        state.memory_clock_mhz = static_cast<int>(*mhz);
+    if (const auto celsius = nvml_->told<unsigned>("nvmlDeviceGetTemperature", gpu_, gpu_sensor))
+        state.temperature_c = static_cast<int>(*celsius);
+    if (const auto milliwatts = nvml_->told<unsigned>("nvmlDeviceGetPowerUsage", gpu_))
+        state.power_w = *milliwatts * 1e-3;
+    const auto bits = nvml_->told<unsigned long long>("nvmlDeviceGetCurrentClocksThrottleReasons", gpu_);
+    for (const auto& [bit, name] : throttle_reasons)
+        if (bits && (*bits & bit) != 0) state.throttle.emplace_back(name);
+    return state;
+}
+
+std::shared_ptr<const NvmlGpu> nvml_gpu(const DeviceInfo& device, const std::string& library) {
+    if (device.vendor.find("NVIDIA") == std::string::npos) return nullptr;
+    try {
+        return std::make_shared<NvmlGpu>(device.uuid, library);
+    } catch (const std::runtime_error&) {
+        return nullptr;  // a container may lack NVML; the energy counter's reason says why
+    }
+}
+
+void describe_board(DeviceInfo& device, const std::string& library) {
+    if (const auto gpu = nvml_gpu(device, library)) gpu->describe(device);
 }
 
 }  // namespace ptb

@@ -2,7 +2,7 @@
 
 namespace ptb {
 
-/// Registers the host's hot spots: validation, JSON, statistics.
+/// Registers the host's hot spots: validation, JSON, statistics, trees.
 void register_host();
 
 /// Registers every kernel on every device of this process.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include <benchmark/benchmark.h>
@@ -8,6 +9,7 @@
 #include "bench/record/json.h"
 #include "bench/record/result_file.h"
 #include "bench/validate/validate.h"
+#include "core/tree/tree.h"
 
 namespace ptb {
 
@@ -87,6 +89,29 @@ void describe_a_sample(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
+/// Hills over a square: two triangles a cell.
+std::vector<Triangle> hills(int cells) {
+    const auto at = [](int x, int z) {
+        const auto fx = static_cast<float>(x), fz = static_cast<float>(z);
+        return std::array{fx, 10 * std::sin(0.1f * fx) * std::cos(0.07f * fz), fz};
+    };
+    std::vector<Triangle> triangles;
+    for (int x = 0; x < cells; ++x) {
+        for (int z = 0; z < cells; ++z) {
+            triangles.push_back({{at(x, z), at(x, z + 1), at(x + 1, z + 1)}});
+            triangles.push_back({{at(x, z), at(x + 1, z + 1), at(x + 1, z)}});
+        }
+    }
+    return triangles;
+}
+
+void build_a_tree(benchmark::State& state) {
+    const std::vector<Triangle> triangles = hills(100);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(build_tree(triangles, static_cast<TreeLayout>(state.range(0)), {}, 1));
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(triangles.size()));
+}
+
 }  // namespace
 
 void register_host() {
@@ -103,6 +128,11 @@ void register_host() {
         ->ArgName("times")
         ->Arg(1000)
         ->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark("host/build_tree", build_a_tree)
+        ->ArgName("layout")
+        ->Arg(static_cast<int>(TreeLayout::bvh2))
+        ->Arg(static_cast<int>(TreeLayout::wide8))
+        ->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace ptb

@@ -18,7 +18,6 @@ void add_host(RunFingerprint& facts, const ResultFile& run) {
     facts["cpu"] = fmt::format("{}, {} cores", run.host.cpu, run.host.cores);
     facts["CPUs allowed"] = std::to_string(run.host.cpus_allowed);
     facts["CPU quota"] = quota_text(run.host.cpu_quota);
-    facts["ptbench"] = fmt::format("{} {}", run.run.tool_version, run.run.git_sha);
 }
 
 void add_devices(RunFingerprint& facts, const ResultFile& run) {
@@ -31,17 +30,17 @@ void add_devices(RunFingerprint& facts, const ResultFile& run) {
     }
 }
 
-void add_options(RunFingerprint& facts, const ResultFile& run) {
+void add_options(RunFingerprint& facts, const RunInfo& run) {
     static const std::set<std::string> not_in_a_time{"name",    "description",    "device",
                                                      "timeout", "max_total_time", "kernel_dir"};
-    if (run.run.settings.json.empty()) return;
-    const Json settings = parse_json(run.run.settings.json, "settings");
+    if (run.settings.json.empty()) return;
+    const Json settings = parse_json(run.settings.json, "settings");
     for (const auto& [key, value] : settings.items())
         if (!not_in_a_time.contains(key)) facts["option " + key] = dump_json(value);
 }
 
-void add_scenes(RunFingerprint& facts, const ResultFile& run) {
-    for (const std::string& scene : run.run.scenes) {
+void add_scenes(RunFingerprint& facts, const RunInfo& run) {
+    for (const std::string& scene : run.scenes) {
         const auto split = scene.rfind(' ');
         if (split != std::string::npos) facts["scene " + scene.substr(0, split)] = scene.substr(split + 1);
     }
@@ -65,12 +64,18 @@ std::string value_in(const RunFingerprint& facts, const std::string& name) {
 
 }  // namespace
 
-RunFingerprint fingerprint_of(const ResultFile& run) {
+RunFingerprint asked_of(const RunInfo& run) {
     RunFingerprint facts;
-    add_host(facts, run);
-    add_devices(facts, run);
+    facts["ptbench"] = fmt::format("{} {}", run.tool_version, run.git_sha);
     add_options(facts, run);
     add_scenes(facts, run);
+    return facts;
+}
+
+RunFingerprint fingerprint_of(const ResultFile& run) {
+    RunFingerprint facts = asked_of(run.run);
+    add_host(facts, run);
+    add_devices(facts, run);
     add_kernels(facts, run);
     add_tuned(facts, run);
     return facts;

@@ -16,6 +16,9 @@ using RunFingerprint = std::map<std::string, std::string>;
 /// "kernel pt": "9f86d081884c7d65", "driver of pocl:0": "3.1", "option samples": "5", ...
 RunFingerprint fingerprint_of(const ResultFile& run);
 
+/// Its part that a run knows before it has looked at the machine: ptbench, options, scenes.
+RunFingerprint asked_of(const RunInfo& run);
+
 /// One text a fact that differs: "cpu: A, here B" with `there` and `here` as names of the sides. Kernels that
 /// one side has not built are no difference.
 std::vector<std::string> differences(const RunFingerprint& a, const std::string& there,

@@ -2,10 +2,14 @@
 
 #include <cerrno>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include <fmt/format.h>
+#include <unistd.h>
 
 #include "bench/record/file.h"
 #include "bench/record/json.h"
@@ -48,19 +52,44 @@ void Journal::append(const Record& record) {
     const bool written = std::fwrite(line.data(), 1, line.size(), stream_.get()) == line.size();
     if (!written || std::fflush(stream_.get()) != 0)
         throw std::runtime_error("cannot write " + file_.string() + ": " + std::strerror(errno));
+    synced_ = false;
+}
+
+void Journal::sync() {
+    if (!synced_)
+        ::fdatasync(::fileno(stream_.get()));  // where it cannot, nothing is lost that was not before
+    synced_ = true;
+}
+
+JournalReader::JournalReader(std::istream& in, std::string origin) : in_(in), origin_(std::move(origin)) {
+    std::string line;
+    std::getline(in_, line);
+    header_ = result_from_json(parse_json(line, origin_), origin_);
+}
+
+std::optional<Record> JournalReader::next() {
+    std::string line;
+    if (!std::getline(in_, line)) return std::nullopt;
+    const bool cut_short = in_.eof();
+    try {
+        return parse_record(line, origin_ + ":" + std::to_string(++line_));
+    } catch (const UsageError&) {
+        if (!cut_short) throw;
+    }
+    return std::nullopt;
+}
+
+std::ifstream open_journal(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw UsageError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
+    return in;
 }
 
 ResultFile parse_journal(std::string_view text, const std::string& origin) {
-    ResultFile result = result_from_json(parse_json(take_line(text), origin), origin);
-    for (int number = 2; !text.empty(); ++number) {
-        const bool cut_short = text.find('\n') == std::string_view::npos;
-        const auto line = take_line(text);
-        try {
-            result.cases.push_back(parse_record(line, origin + ":" + std::to_string(number)));
-        } catch (const UsageError&) {
-            if (!cut_short) throw;
-        }
-    }
+    std::istringstream in{std::string(text)};
+    JournalReader reader(in, origin);
+    ResultFile result = reader.header();
+    while (auto record = reader.next()) result.cases.push_back(std::move(*record));
     return result;
 }
 

@@ -12,10 +12,11 @@ namespace ptb {
 template <>
 inline constexpr auto fields<Work> = std::make_tuple(
     field("samples", &Work::samples), field("segments", &Work::segments),
-    field("shadow_rays", &Work::shadow_rays), field("full_length_paths", &Work::full_length_paths),
-    field("lanes", &Work::lanes), field("renders", &Work::renders), field("passes", &Work::passes),
+    field("shadow_rays", &Work::shadow_rays), field("light_segments", &Work::light_segments),
+    field("full_length_paths", &Work::full_length_paths), field("lanes", &Work::lanes),
+    field("renders", &Work::renders), field("passes", &Work::passes),
     field("longest_launch_ns", &Work::longest_launch_ns), field("device_bytes", &Work::device_bytes),
-    field("overlap", &Work::overlap));
+    field("overlap", &Work::overlap), field("film_hash", &Work::film_hash));
 
 template <>
 inline constexpr auto fields<Build> = std::make_tuple(
@@ -108,12 +109,18 @@ inline constexpr auto fields<Efficiency> = std::make_tuple(field("all", &Efficie
                                                            field("reason", &Efficiency::reason));
 
 template <>
+inline constexpr auto fields<GpuState> = std::make_tuple(
+    field("clock_mhz", &GpuState::clock_mhz), field("memory_clock_mhz", &GpuState::memory_clock_mhz),
+    field("temperature_c", &GpuState::temperature_c), field("power_w", &GpuState::power_w),
+    field("throttle", &GpuState::throttle));
+
+template <>
 inline constexpr auto fields<Record> = std::make_tuple(
     required("params", &Record::params), required("status", &Record::status),
     field("reason", &Record::reason), field("work", &Record::work), field("build", &Record::build),
     field("samples", &Record::samples), field("statistics", &Record::statistics),
     field("validation", &Record::validation), field("energy", &Record::energy),
-    field("efficiency", &Record::efficiency), field("counted", &Record::counted));
+    field("efficiency", &Record::efficiency), field("counted", &Record::counted), field("gpu", &Record::gpu));
 
 template <>
 inline constexpr auto fields<DeviceInfo> = std::make_tuple(
@@ -131,7 +138,12 @@ inline constexpr auto fields<DeviceInfo> = std::make_tuple(
     field("max_work_group", &DeviceInfo::max_work_group),
     field("max_work_item_sizes", &DeviceInfo::max_work_item_sizes),
     field("timer_resolution_ns", &DeviceInfo::timer_resolution_ns), field("images", &DeviceInfo::images),
-    field("profiling", &DeviceInfo::profiling), field("excluded", &DeviceInfo::excluded));
+    field("profiling", &DeviceInfo::profiling), field("pci", &DeviceInfo::pci),
+    field("node", &DeviceInfo::node), field("serial", &DeviceInfo::serial),
+    field("vbios", &DeviceInfo::vbios), field("ecc", &DeviceInfo::ecc),
+    field("max_clock_mhz", &DeviceInfo::max_clock_mhz),
+    field("max_memory_clock_mhz", &DeviceInfo::max_memory_clock_mhz),
+    field("power_limit_w", &DeviceInfo::power_limit_w), field("excluded", &DeviceInfo::excluded));
 
 template <>
 inline constexpr auto fields<SppFit> = std::make_tuple(required("params", &SppFit::params),
@@ -150,30 +162,39 @@ inline constexpr auto fields<BrokenIcd> = std::make_tuple(required("icd", &Broke
                                                           required("reason", &BrokenIcd::reason));
 
 template <>
-inline constexpr auto fields<HostInfo> = std::make_tuple(
-    field("hostname", &HostInfo::hostname), field("os", &HostInfo::os), field("kernel", &HostInfo::kernel),
-    field("cpu", &HostInfo::cpu), field("cores", &HostInfo::cores),
-    field("cpus_allowed", &HostInfo::cpus_allowed), field("cpu_quota", &HostInfo::cpu_quota),
-    field("memory_bytes", &HostInfo::memory_bytes), field("load_1min", &HostInfo::load_1min));
+inline constexpr auto fields<HostInfo> =
+    std::make_tuple(field("hostname", &HostInfo::hostname), field("os", &HostInfo::os),
+                    field("kernel", &HostInfo::kernel), field("cpu", &HostInfo::cpu),
+                    field("cores", &HostInfo::cores), field("cpus_allowed", &HostInfo::cpus_allowed),
+                    field("cpu_quota", &HostInfo::cpu_quota), field("memory_bytes", &HostInfo::memory_bytes),
+                    field("load_1min", &HostInfo::load_1min), field("node", &HostInfo::node));
 
 template <>
-inline constexpr auto fields<RunInfo> =
-    std::make_tuple(field("argv", &RunInfo::argv), field("config", &RunInfo::config),
-                    field("folder", &RunInfo::folder), field("tool_version", &RunInfo::tool_version),
-                    field("git_sha", &RunInfo::git_sha), field("git_dirty", &RunInfo::git_dirty),
-                    field("compiler", &RunInfo::compiler), field("started_at", &RunInfo::started_at),
-                    field("seed", &RunInfo::seed), field("interrupted", &RunInfo::interrupted),
-                    field("wall_s", &RunInfo::wall_s), field("settings", &RunInfo::settings),
-                    field("resumed_at", &RunInfo::resumed_at), field("scenes", &RunInfo::scenes),
-                    field("tuned", &RunInfo::tuned), field("coordinator_cpu_s", &RunInfo::coordinator_cpu_s));
+inline constexpr auto fields<Lease> = std::make_tuple(required("boot_id", &Lease::boot_id),
+                                                      required("pid", &Lease::pid),
+                                                      field("started_at_tick", &Lease::started_at_tick),
+                                                      field("job", &Lease::job));
+
+template <>
+inline constexpr auto fields<RunInfo> = std::make_tuple(
+    field("argv", &RunInfo::argv), field("config", &RunInfo::config), field("folder", &RunInfo::folder),
+    field("tool_version", &RunInfo::tool_version), field("git_sha", &RunInfo::git_sha),
+    field("git_dirty", &RunInfo::git_dirty), field("compiler", &RunInfo::compiler),
+    field("started_at", &RunInfo::started_at), field("seed", &RunInfo::seed),
+    field("interrupted", &RunInfo::interrupted), field("wall_s", &RunInfo::wall_s),
+    field("settings", &RunInfo::settings), field("resumed_at", &RunInfo::resumed_at),
+    field("scenes", &RunInfo::scenes), field("tuned", &RunInfo::tuned),
+    field("coordinator_cpu_s", &RunInfo::coordinator_cpu_s), field("lease", &RunInfo::lease),
+    field("expected", &RunInfo::expected), field("finished_at", &RunInfo::finished_at));
 
 template <>
 inline constexpr auto fields<ResultFile> =
     std::make_tuple(required("run", &ResultFile::run), required("host", &ResultFile::host),
-                    required("devices", &ResultFile::devices), field("broken_icds", &ResultFile::broken_icds),
-                    field("warnings", &ResultFile::warnings), required("cases", &ResultFile::cases),
-                    field("fits", &ResultFile::fits), field("peaks", &ResultFile::peaks),
-                    field("pictures", &ResultFile::pictures), field("verdict", &ResultFile::verdict));
+                    field("hosts", &ResultFile::hosts), required("devices", &ResultFile::devices),
+                    field("broken_icds", &ResultFile::broken_icds), field("warnings", &ResultFile::warnings),
+                    required("cases", &ResultFile::cases), field("fits", &ResultFile::fits),
+                    field("peaks", &ResultFile::peaks), field("pictures", &ResultFile::pictures),
+                    field("verdict", &ResultFile::verdict));
 
 template <>
 inline constexpr auto fields<MeasureOptions> = std::make_tuple(

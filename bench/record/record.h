@@ -17,7 +17,7 @@ enum class Status { ok, invalid, unsupported, skipped, compile, runtime, timeout
 struct Work {
     std::uint64_t samples = 0;      ///< width x height x spp
     std::uint64_t segments = 0;     ///< path segments traced, counted by the kernel
-    std::uint64_t shadow_rays = 0;  ///< traced beside them, to lamps
+    std::uint64_t shadow_rays = 0;  ///< traced beside them, to lamps or between paths of both ends
     std::uint64_t full_length_paths = 0;
     int lanes = 1;    ///< lane width that ran
     int renders = 1;  ///< full renders in one sample of time; more than one where the timer is coarse
@@ -25,6 +25,8 @@ struct Work {
     std::int64_t longest_launch_ns = 0;
     std::uint64_t device_bytes = 0;  ///< device memory asked for
     std::optional<double> overlap;   ///< out of order: share of the launches' times that ran beside another's
+    std::string film_hash;           ///< of the timed film's bits: equal devices give equal ones
+    std::uint64_t light_segments = 0;  ///< beside them too, of paths that start at lamps
     bool operator==(const Work&) const = default;
 };
 
@@ -68,7 +70,7 @@ struct Statistics {
     std::optional<double> ci_low_ns, ci_high_ns;  ///< exact 95 % interval of the median; absent for small n
     std::string stop_reason;  ///< "precision", "max_time", "max_samples", "max_total_time", "low_n"
     double msamples_per_s = 0, msegments_per_s = 0;
-    std::optional<double> mrays_per_s;  ///< segments and shadow rays, where there are any of these
+    std::optional<double> mrays_per_s;  ///< all segments and shadow rays, where there are any of these
     bool operator==(const Statistics&) const = default;
 };
 
@@ -131,9 +133,17 @@ struct Noise {
 /// out.
 struct Efficiency {
     std::optional<Noise> all, best_99;  ///< of all pixels, and of the best 99 %
-    std::string variance_from;          ///< "film", or "reference" where a kernel's film holds no squares
+    std::string variance_from;          ///< "film"; "reference" where that holds no squares; "passes"
     std::string reason;                 ///< why a number is absent, or empty
     bool operator==(const Efficiency&) const = default;
+};
+
+/// What a GPU's management library said of it after the last timed sample. Absent where it says nothing.
+struct GpuState {
+    std::optional<int> clock_mhz, memory_clock_mhz, temperature_c;
+    std::optional<double> power_w;
+    std::vector<std::string> throttle;  ///< why its clock is lower than it could be: "power cap", ...
+    bool operator==(const GpuState&) const = default;
 };
 
 /// What became of one planned case. The one record type of protocol, journal and result file.
@@ -149,6 +159,7 @@ struct Record {
     std::optional<Energy> energy;
     std::optional<Efficiency> efficiency;
     std::optional<Counted> counted;  ///< with --peaks
+    std::optional<GpuState> gpu;
     bool operator==(const Record&) const = default;
 };
 
@@ -200,7 +211,17 @@ struct HostInfo {
     std::optional<double> cpu_quota;  ///< CPUs whose time the smallest control group allows
     std::uint64_t memory_bytes = 0;
     double load_1min = 0;
+    std::string node;  ///< its name in a fleet, or empty
     bool operator==(const HostInfo&) const = default;
+};
+
+/// Which process writes a node's journal: one at a time may.
+struct Lease {
+    std::string boot_id;                ///< of the machine's last start
+    int pid = 0;                        ///< of the process,
+    std::uint64_t started_at_tick = 0;  ///< and when it began, since numbers come again
+    std::string job;                    ///< of Slurm, or empty
+    bool operator==(const Lease&) const = default;
 };
 
 /// A document of another schema within a file: an object there, or null when empty.
@@ -220,9 +241,12 @@ struct RunInfo {
     double wall_s = 0;                    ///< of all parts of a resumed run that came to their end
     JsonText settings;                    ///< what flags made of the config, as --dump-config
     std::vector<std::string> resumed_at;  ///< ISO 8601, UTC
-    std::vector<std::string> scenes;      ///< of the plan: "furnace 9f86d081884c7d65", name and text_hash
-    std::vector<Case> tuned;       ///< what `ptbench tune` had found for devices and kernels of the plan
-    double coordinator_cpu_s = 0;  ///< of the process that drives the workers: what measuring costs
+    std::vector<std::string> scenes;      ///< of the plan: "furnace 9f86d081884c7d65", name and scene_hash
+    std::vector<Case> tuned;            ///< what `ptbench tune` had found for devices and kernels of the plan
+    double coordinator_cpu_s = 0;       ///< of the process that drives the workers: what measuring costs
+    std::optional<Lease> lease;         ///< of a node of a fleet
+    std::vector<std::string> expected;  ///< all nodes of the fleet that this one was told of
+    std::string finished_at;            ///< of such a node, once its last case is in its journal
     bool operator==(const RunInfo&) const = default;
 };
 
@@ -230,6 +254,7 @@ struct RunInfo {
 struct ResultFile {
     RunInfo run;
     HostInfo host;
+    std::vector<HostInfo> hosts;  ///< of a fleet: every node's, of which `host` is the first
     std::vector<DeviceInfo> devices;
     std::vector<BrokenIcd> broken_icds;
     std::vector<Record> cases;

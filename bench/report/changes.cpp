@@ -13,13 +13,6 @@ namespace {
 
 std::string time_ms(double ns) { return ns > 0 ? number_text(ms(ns)) : "-"; }
 
-std::string ratio_text(double log_ratio) { return fmt::format("{:.3f}", std::exp(log_ratio)); }
-
-std::string interval_text(const std::optional<Interval>& interval) {
-    if (!interval) return "-";
-    return fmt::format("{}-{}", ratio_text(interval->low), ratio_text(interval->high));
-}
-
 std::string percent(double share) {
     return std::isfinite(share) ? fmt::format("{:.1f} %", 100 * share) : "-";
 }
@@ -35,8 +28,8 @@ std::vector<std::string> cells(const Row& row) {
             row.name,
             time_ms(f.base_ns),
             time_ms(f.now_ns),
-            compared ? ratio_text(f.evidence.shift.value) : "-",
-            compared ? interval_text(f.evidence.shift.interval) : "-",
+            compared ? ratio_of_shift(f.evidence.shift.value) : "-",
+            compared ? interval_of_shift(f.evidence.shift.interval) : "-",
             compared ? fmt::format("{:.2g}", f.evidence.holm_p) : "-",
             compared ? std::to_string(f.n) : "-",
             percent(row.tolerance),
@@ -66,6 +59,13 @@ void append_efficiency(Section& section, const std::vector<Row>& rows) {
 }
 
 }  // namespace
+
+std::string ratio_of_shift(double shift) { return fmt::format("{:.3f}", std::exp(shift)); }
+
+std::string interval_of_shift(const std::optional<Interval>& interval) {
+    if (!interval) return "-";
+    return fmt::format("{}-{}", ratio_of_shift(interval->low), ratio_of_shift(interval->high));
+}
 
 Section changes_section(const std::vector<Row>& rows, const std::string& title) {
     Section section;

@@ -173,6 +173,7 @@ const Columns& other_columns() {
         {"samples", of_work([](const Work& w) { return std::to_string(w.samples); })},
         {"segments", of_work([](const Work& w) { return std::to_string(w.segments); })},
         {"shadow_rays", of_work([](const Work& w) { return std::to_string(w.shadow_rays); })},
+        {"light_segments", of_work([](const Work& w) { return std::to_string(w.light_segments); })},
         {"lanes_run", of_work([](const Work& w) { return std::to_string(w.lanes); })},
         {"renders", of_work([](const Work& w) { return std::to_string(w.renders); })},
         {"passes", of_work([](const Work& w) { return std::to_string(w.passes); })},
@@ -197,6 +198,11 @@ const Columns& other_columns() {
         {"device_key", [](const Row& r) { return text(r.record.params.device); }},
         {"platform", [](const Row& r) { return text(r.device.platform); }},
         {"driver_version", [](const Row& r) { return text(r.device.driver_version); }},
+        {"node", [](const Row& r) { return text(r.device.node); }},
+        {"pci", [](const Row& r) { return text(r.device.pci); }},
+        {"uuid", [](const Row& r) { return text(r.device.uuid); }},
+        {"serial", [](const Row& r) { return text(r.device.serial); }},
+        {"film_hash", of_work([](const Work& w) { return text(w.film_hash); })},
     };
     return columns;
 }
@@ -237,6 +243,19 @@ std::string csv(const ResultFile& result) {
     for (const Record& record : result.cases)
         output += line(cells(columns, {record, device_of(result, record.params.device)}));
     return output;
+}
+
+std::string csv(const Grid& grid) {
+    std::vector<std::string> titles;
+    for (const Column& column : grid.columns) titles.push_back(column.title);
+    std::string lines = line(titles);
+    for (const auto& row : grid.rows) {
+        std::vector<std::string> cells;
+        for (std::size_t i = 0; i < row.size(); ++i)
+            cells.push_back(grid.columns[i].number ? row[i] : text(row[i]));
+        lines += line(cells);
+    }
+    return lines;
 }
 
 std::string csv_samples(const ResultFile& result) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "bench/record/record.h"
+#include "bench/report/grid.h"
 
 namespace ptb {
 
@@ -10,6 +11,9 @@ namespace ptb {
 /// end in LF. `time_ms` is empty unless the status is ok. Text that a spreadsheet would take for a formula
 /// gets a ' in front.
 std::string csv(const ResultFile& result);
+
+/// A table: its titles, then a line a row.
+std::string csv(const Grid& grid);
 
 /// One line for each sample, in nanoseconds of all its renders.
 std::string csv_samples(const ResultFile& result);

@@ -90,11 +90,14 @@ std::vector<std::string> efficiency_notes(const std::vector<Record>& records) {
         "errors, which needs many samples per pixel to mean much",
         "of each kernel the case whose time is nearest to the longest that all kernels reach; implicit "
         "work-groups"};
-    const bool from_reference = std::any_of(records.begin(), records.end(), [](const Record& record) {
-        return record.efficiency->variance_from == "reference";
-    });
-    if (from_reference)
+    const auto some_from = [&](const std::string& source) {
+        return std::any_of(records.begin(), records.end(),
+                           [&](const Record& record) { return record.efficiency->variance_from == source; });
+    };
+    if (some_from("reference"))
         notes.emplace_back("a kernel whose film holds no squares has its reference's variance");
+    if (some_from("passes"))
+        notes.emplace_back("a kernel whose pixels share paths has the variance of independent renders");
     return notes;
 }
 

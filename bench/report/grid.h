@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -37,6 +38,9 @@ struct TextStyle {
 /// For a terminal: columns as narrow as their cells, two spaces between them. Where that is too wide, text is
 /// wrapped within its columns.
 std::string to_text(const Section& section, const TextStyle& style = {});
+/// Section below section, each as `render` shows it.
+std::string joined(const std::vector<Section>& sections,
+                   const std::function<std::string(const Section&)>& render);
 /// As a GitHub-flavoured Markdown table, without bars.
 std::string to_markdown(const Section& section);
 

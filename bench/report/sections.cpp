@@ -22,16 +22,12 @@ std::vector<Section> report_sections(const ResultFile& result, const PublishedTa
     return sections;
 }
 
-namespace {
-
-template <class Render>
-std::string joined(const std::vector<Section>& sections, Render render) {
+std::string joined(const std::vector<Section>& sections,
+                   const std::function<std::string(const Section&)>& render) {
     std::vector<std::string> texts;
     for (const Section& section : sections) texts.push_back(render(section));
     return fmt::format("{}", fmt::join(texts, "\n"));
 }
-
-}  // namespace
 
 std::string table(const ResultFile& result, const PublishedTable& published, const TextStyle& style) {
     return joined(report_sections(result, published),

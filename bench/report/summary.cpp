@@ -26,11 +26,15 @@ std::string work_text(const Case& c) {
                        unusual_text(c));
 }
 
-/// Records of one work, fastest first: that which most devices did; rather as usual, of pt, of many samples.
+/// Records of one work, fastest first: that which most devices did; rather as usual, of pt, with intervals,
+/// of most samples.
 std::vector<Record> headline(const std::vector<Record>& records) {
     const auto rank = [](const std::vector<Record>& r) {
         const Case& c = r.front().params;
-        return std::tuple(r.size(), -unusual(c, other_axes()), c.kernel == "pt", c.spp, c.size.pixels());
+        const double samples = 1.0 * c.spp * static_cast<double>(c.size.pixels());
+        const bool sure = std::all_of(
+            r.begin(), r.end(), [](const Record& each) { return each.statistics->ci_low_ns.has_value(); });
+        return std::tuple(r.size(), -unusual(c, other_axes()), c.kernel == "pt", sure, samples);
     };
     std::vector<Record> best;
     for (const auto& [work, same] : by_work(records))

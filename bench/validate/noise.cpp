@@ -75,6 +75,33 @@ void rate(Noise& noise, const Statistics& s) {
     noise.high = *noise.efficiency * std::exp(std::hypot(error, std::log(s.median_ns / *s.ci_low_ns)));
 }
 
+/// The mean over these pixels of the mean over pairs, with its standard error by that of each pair.
+Noise mean_over_pairs(const std::vector<std::vector<float>>& errors, std::span<const std::size_t> pixels) {
+    const auto pairs = static_cast<double>(errors.size());
+    std::vector<double> means;
+    for (const auto& of_pair : errors) {
+        double sum = 0;
+        for (const std::size_t pixel : pixels) sum += of_pair[pixel];
+        means.push_back(sum / static_cast<double>(pixels.size()));
+    }
+    Noise noise;
+    noise.rel_mse = std::accumulate(means.begin(), means.end(), 0.0) / pairs;
+    double squares = 0;
+    for (const double mean : means) squares += std::pow(mean - noise.rel_mse, 2);
+    noise.standard_error = std::sqrt(squares / (pairs - 1) / pairs);
+    return noise;
+}
+
+constexpr const char* single_pixel = "size 1x1: a single pixel says nothing of its error";
+constexpr const char* noise_in_black = "the image has noise where its reference is black";
+
+std::string other_size(Size size, const Reference& reference) {
+    return fmt::format("size {}: neither a multiple nor a part of the reference's {}", to_string(size),
+                       to_string(reference.size));
+}
+
+std::size_t best(std::size_t pixels) { return pixels - pixels / 100; }
+
 Efficiency without(const std::string& reason) {
     Efficiency none;
     none.reason = reason;
@@ -85,18 +112,52 @@ Efficiency without(const std::string& reason) {
 
 Efficiency noise_of(const FilmEvidence& evidence, const Reference& reference) {
     const auto truth = moments_at({reference.mean, reference.variance}, evidence.size);
-    if (!truth)
-        return without(fmt::format("size {}: neither a multiple nor a part of the reference's {}",
-                                   to_string(evidence.size), to_string(reference.size)));
+    if (!truth) return without(other_size(evidence.size, reference));
     const auto& own = evidence.film.variance;
     if (own && evidence.spp < 2) return without("spp 1: a single sample per pixel has no variance");
-    if (evidence.size.pixels() < 2) return without("size 1x1: a single pixel says nothing of its error");
+    if (evidence.size.pixels() < 2) return without(single_pixel);
     const auto errors = sorted_errors(own ? *own : truth->variance, truth->mean, evidence.spp);
-    if (!std::isfinite(errors.back())) return without("the image has noise where its reference is black");
+    if (!std::isfinite(errors.back())) return without(noise_in_black);
     Efficiency efficiency;
     efficiency.variance_from = own ? "film" : "reference";
     efficiency.all = mean_of(errors, errors.size());
-    efficiency.best_99 = mean_of(errors, errors.size() - errors.size() / 100);
+    efficiency.best_99 = mean_of(errors, best(errors.size()));
+    return efficiency;
+}
+
+PairedNoise::PairedNoise(const Reference& reference, Size size, int spp, int pass_spp) {
+    const auto truth = image_at(reference.mean, size);
+    if (!truth) refusal_ = other_size(size, reference);
+    if (size.pixels() < 2) refusal_ = single_pixel;
+    if (!refusal_.empty()) return;
+    const auto medians = channel_medians(*truth);
+    const double of_pair = 0.5 * pass_spp / spp / 3;
+    for (std::size_t i = 0; i < truth->rgb.size(); ++i)
+        weights_.push_back(of_pair * relative(1, truth->rgb[i], medians[i % 3]));
+}
+
+void PairedNoise::add(const Image& first, const Image& second) {
+    std::vector<float> errors(weights_.size() / 3);
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+        const double difference = static_cast<double>(first.rgb[i]) - static_cast<double>(second.rgb[i]);
+        if (difference != 0) errors[i / 3] += static_cast<float>(weights_[i] * difference * difference);
+    }
+    errors_.push_back(std::move(errors));
+}
+
+Efficiency PairedNoise::noise() const {
+    std::vector<double> errors(errors_.front().size());
+    for (const auto& of_pair : errors_)
+        for (std::size_t i = 0; i < errors.size(); ++i) errors[i] += of_pair[i];
+    std::vector<std::size_t> order(errors.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return errors[a] < errors[b]; });
+    if (!std::isfinite(errors[order.back()])) return without(noise_in_black);
+    Efficiency efficiency;
+    efficiency.variance_from = "passes";
+    efficiency.all = mean_over_pairs(errors_, order);
+    efficiency.best_99 = mean_over_pairs(errors_, std::span(order).first(best(order.size())));
     return efficiency;
 }
 

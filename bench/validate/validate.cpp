@@ -19,17 +19,20 @@ namespace {
 
 constexpr std::array channel_names{"red", "green", "blue"};
 
-/// A difference in units of its standard error. Without variance on the reference's side there is nothing
-/// random: the value must be the same up to rounding.
-double z_score(double value, double expected, double variance) {
-    if (variance > 0) return (value - expected) / std::sqrt(variance);
+/// A difference in units of its standard error, of whose variance `estimated` more has these degrees of
+/// freedom. Without variance there is nothing random: the value must be the same up to rounding.
+double z_score(double value, double expected, double variance, double estimated = 0, double degrees = 1) {
+    if (variance + estimated > 0) return student_z(value - expected, variance, estimated, degrees);
     const bool same = std::abs(value - expected) <= 1e-4 * std::max(std::abs(expected), 1e-6);
     return same ? 0 : std::numeric_limits<double>::infinity();
 }
 
-/// Variance of the difference of two means of n and m samples, of which the first n vary by `excess` more.
-double difference_variance(double variance, double n, double m, double excess = 0) {
-    return variance * (1 / n + 1 / m) + excess / n;
+/// Variance of the difference of two means of n and m samples.
+double difference_variance(double variance, double n, double m) { return variance * (1 / n + 1 / m); }
+
+/// Degrees of freedom that the film's own variance was estimated with: of single samples as good as no end.
+double degrees_of(const FilmEvidence& evidence) {
+    return evidence.passes ? evidence.passes->degrees() : std::numeric_limits<double>::infinity();
 }
 
 /// Variance of one sample of the film. Paths that roulette spares weigh more than the reference's: the film
@@ -56,19 +59,34 @@ bool same_lengths(const FilmEvidence& evidence, const Reference& reference) {
     return evidence.roulette == Roulette::off && same_shape(evidence.size, reference.size);
 }
 
+/// Variances of the image's mean and of its reference's, each times the samples of its own.
+struct MeanVariance {
+    std::array<double, 3> of_film, of_reference;
+    double degrees;  ///< of the first
+
+    MeanVariance(const FilmEvidence& evidence, const Reference& reference)
+        : of_film(channel_means(film_variance(evidence, reference))),
+          of_reference(channel_means(reference.variance)),
+          degrees(degrees_of(evidence)) {
+        for (std::size_t c = 0; c < 3; ++c) of_film[c] = std::max(of_film[c], of_reference[c]);
+        if (evidence.passes) of_film = image_variance_of_sample(*evidence.passes);
+        for (std::size_t c = 0; c < 3; ++c)
+            if (of_reference[c] == 0) of_film[c] = 0;  // but for rounding
+    }
+};
+
 /// Image mean, worst channel. Pixels of equal shape cover the same field of view whatever their number.
 void check_mean(Validation& validation, const FilmEvidence& evidence, const Reference& reference,
                 double limit) {
     if (!same_shape(evidence.size, reference.size)) return;
     const auto mean = channel_means(evidence.film.mean);
     const auto expected = channel_means(reference.mean);
-    const auto variance = channel_means(reference.variance);
-    const auto of_film = channel_means(film_variance(evidence, reference));
+    const MeanVariance variance(evidence, reference);
     const double n = samples_of(evidence.size, evidence.spp), m = samples_of(reference.size, reference.spp);
     double worst = 0;
     for (std::size_t c = 0; c < 3; ++c) {
-        const double excess = std::max(of_film[c] - variance[c], 0.0);
-        const double z = z_score(mean[c], expected[c], difference_variance(variance[c], n, m, excess));
+        const double z = z_score(mean[c], expected[c], variance.of_reference[c] / m, variance.of_film[c] / n,
+                                 variance.degrees);
         if (std::abs(z) > std::abs(worst)) worst = z;
         if (std::abs(z) > limit)
             fail(validation,
@@ -125,9 +143,21 @@ struct BlockFamily {
           found(block_means(evidence.film.mean, block)),
           expected(block_means(reference.mean, block)),
           variance(block_means(reference.variance, block)),
-          of_film(block_means(film_variance(evidence, reference), block)) {}
+          of_film(evidence.passes ? block_variance_of_sample(*evidence.passes, block)
+                                  : block_means(film_variance(evidence, reference), block)) {}
 
-    double excess(std::size_t i) const { return std::max(of_film.rgb[i] - variance.rgb[i], 0.0); }
+    /// Where nothing is random but rounding, the film has no variance of its own.
+    double excess(std::size_t i) const {
+        return variance.rgb[i] > 0 ? std::max(of_film.rgb[i] - variance.rgb[i], 0.0) : 0;
+    }
+
+    /// Variance of the difference of both means, of n and m samples: what the reference tells of it, and what
+    /// the film does where its own is larger. Paths so rare that no sample of the film saw them are in the
+    /// reference's.
+    double known(std::size_t i, double n, double m) const {
+        return variance.rgb[i] / m + (excess(i) > 0 ? 0 : variance.rgb[i] / n);
+    }
+    double estimated(std::size_t i, double n) const { return excess(i) > 0 ? of_film.rgb[i] / n : 0; }
 
     /// How many hits of the light this block's mean is worth: light is hit rarely, and a sum of few hits is
     /// not Gaussian.
@@ -151,15 +181,14 @@ void check_blocks(Validation& validation, const FilmEvidence& evidence, const Re
     if (evidence.size != reference.size || edge > largest) return;
     while (2 * edge <= largest && !BlockFamily(evidence, reference, edge).mostly_gaussian(spp)) edge *= 2;
     const BlockFamily blocks(evidence, reference, edge);
-    const double limit = sidak_limit(family_alpha, blocks.found.rgb.size());
+    const double limit = sidak_limit(family_alpha, blocks.found.rgb.size()), degrees = degrees_of(evidence);
     double worst = 0;
     for (std::size_t i = 0; i < blocks.found.rgb.size(); ++i) {
         if (!blocks.gaussian(i, spp)) continue;
         const double pixels = blocks.found.pixels[i / 3];
         const double found = blocks.found.rgb[i], expected = blocks.expected.rgb[i];
-        const double z = z_score(found, expected,
-                                 difference_variance(blocks.variance.rgb[i], pixels * evidence.spp,
-                                                     pixels * reference.spp, blocks.excess(i)));
+        const double n = pixels * evidence.spp, m = pixels * reference.spp;
+        const double z = z_score(found, expected, blocks.known(i, n, m), blocks.estimated(i, n), degrees);
         worst = std::max(worst, std::abs(z));
         const int block = static_cast<int>(i / 3);
         if (std::abs(z) > limit)
@@ -178,7 +207,7 @@ void check_blocks(Validation& validation, const FilmEvidence& evidence, const Re
 /// Pixels that share random numbers: no mean shows it, but an image needs more samples than it says.
 void check_neighbours(Validation& validation, const FilmEvidence& evidence, const Reference& reference,
                       double limit) {
-    if (evidence.size != reference.size) return;
+    if (evidence.size != reference.size || evidence.passes) return;
     validation.checks.push_back("neighbours");
     for (const auto& [dx, dy, where] : {std::tuple(1, 0, "beside"), std::tuple(0, 1, "above")}) {
         const double z = neighbour_z(evidence.film.mean, reference, dx, dy);
@@ -192,8 +221,8 @@ void check_neighbours(Validation& validation, const FilmEvidence& evidence, cons
 
 }  // namespace
 
-FilmEvidence evidence_of(const Film& film, const RenderJob& job) {
-    return {film, job.size, job.spp, job.path_length, job.variant.roulette};
+FilmEvidence evidence_of(const Film& film, const RenderJob& job, const Passes* passes) {
+    return {film, job.size, job.spp, job.path_length, job.variant.roulette, passes};
 }
 
 void fail(Validation& validation, const std::string& reason) {
@@ -254,7 +283,8 @@ void check_same_bits(Validation& validation, const Film& film, const Film& other
     const auto& a = film.mean.rgb;
     const auto& b = other.mean.rgb;
     const bool same = a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
-    const bool same_work = film.segments == other.segments && film.shadow_rays == other.shadow_rays;
+    const bool same_work = film.segments == other.segments && film.shadow_rays == other.shadow_rays &&
+                           film.light_segments == other.light_segments;
     if (!same || !same_work) fail(validation, "the same work gave other bits: " + what);
 }
 

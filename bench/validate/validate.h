@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "bench/record/record.h"
+#include "bench/validate/passes.h"
 #include "core/oracle/reference.h"
 #include "core/render/render.h"
 
@@ -26,8 +27,9 @@ struct FilmEvidence {
     int spp = 1;
     int path_length = 1;
     Roulette roulette = Roulette::off;
+    const Passes* passes = nullptr;  ///< of the same work, at any size: where its pixels share paths
 };
-FilmEvidence evidence_of(const Film& film, const RenderJob& job);
+FilmEvidence evidence_of(const Film& film, const RenderJob& job, const Passes* passes = nullptr);
 
 /// Checks what needs no reference: every value finite and not negative, no sample lost or made up, between
 /// one and path_length segments a sample.
@@ -37,7 +39,8 @@ Validation check_film(const FilmEvidence& evidence);
 /// pixel blocks and the independence of neighbouring pixels (same size only), image mean within 4 combined
 /// standard errors, segments per sample and the share of full-length paths within 4. Paths that roulette ends
 /// have other lengths than the reference's, and vary more: these two are left out, and the film's own
-/// variance counts where it is larger.
+/// variance counts where it is larger. So does that of passes, whose sum the film then is; neighbours share
+/// paths then, and are not compared.
 void check_against(Validation& validation, const FilmEvidence& evidence, const Reference& reference);
 
 /// Adds the tests that any timed render of the work must pass: image mean and segments (without roulette)

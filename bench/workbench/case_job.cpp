@@ -4,13 +4,23 @@
 
 namespace ptb {
 
+namespace {
+
+int lanes_of(const Case& params, const Integrator& kernel, const DeviceInfo& device, const Scene& scene) {
+    const bool asked = params.lanes != 0 && !params.lanes_tuned;
+    if (!scene.meshes.empty() && !asked) return 1;
+    return params.lanes == 0 ? default_lanes(kernel, device) : params.lanes;
+}
+
+}  // namespace
+
 RenderJob render_job(const Case& params, const Integrator& kernel, const DeviceInfo& device,
-                     std::uint64_t seed) {
+                     const Scene& scene, std::uint64_t seed) {
     return {params.size,
             params.spp,
             params.path_length,
             static_cast<std::uint32_t>(seed),
-            params.lanes == 0 ? default_lanes(kernel, device) : params.lanes,
+            lanes_of(params, kernel, device, scene),
             params.work_group.x,
             params.work_group.y,
             params.variant};

@@ -8,9 +8,10 @@
 
 namespace ptb {
 
-/// The work of a case on this device, whose lane width serves where the case has none.
+/// The work of a case on this device, whose lane width serves where the case has none. What was tuned for
+/// spheres is not for meshes, which have 1.
 RenderJob render_job(const Case& params, const Integrator& kernel, const DeviceInfo& device,
-                     std::uint64_t seed);
+                     const Scene& scene, std::uint64_t seed);
 
 /// A case resolved: its render, and what that is made from. Scene and kernel outlive it.
 struct CaseJob {

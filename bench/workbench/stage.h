@@ -7,8 +7,8 @@
 
 namespace ptb {
 
-/// Told how far a case has come: stage "build", "validate", "idle", "warmup", "sample" or "count", and the
-/// share of it done.
+/// Told how far a case has come: stage "build", "validate", "idle", "warmup", "sample", "noise" or "count",
+/// and the share of it done.
 using Stage = std::function<void(const std::string& stage, double done)>;
 
 /// Reports the passes of a render as a stage of this name. `stage` outlives it.

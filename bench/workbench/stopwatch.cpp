@@ -32,7 +32,8 @@ Stopwatch::Stopwatch(Builds& builds, Pace& pace, const MeasureOptions& options)
       pace_(pace),
       options_(options),
       timer_(options.timer),
-      disturbances_(builds.device()) {}
+      disturbances_(builds.device()),
+      gpu_(nvml_gpu(builds.device().info)) {}
 
 void Stopwatch::rest(const Stage& stage) {
     if (!energy_) energy_.emplace(energy_counter(device()), steady_s, waiting(stage));
@@ -76,6 +77,7 @@ Measurement Stopwatch::time(const CaseJob& job, Render& render, double time_left
     Measurement measurement =
         measure(method(render_s, time_left_s), timer_, take, [begin] { return seconds_since(begin); });
     refuse_wrong_clock();
+    if (gpu_) record.gpu = gpu_->state();
     record.energy = energy_->spent(work.samples);
     return measurement;
 }

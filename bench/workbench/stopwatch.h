@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "bench/measure/disturbance.h"
 #include "bench/measure/energy.h"
 #include "bench/measure/method.h"
+#include "bench/measure/nvml.h"
 #include "bench/plan/config.h"
 #include "bench/workbench/pace.h"
 #include "bench/workbench/stage.h"
@@ -41,6 +43,7 @@ class Stopwatch {
     TimerWatch timer_;
     Disturbances disturbances_;
     std::optional<EnergyMeter> energy_;
+    std::shared_ptr<const NvmlGpu> gpu_;  ///< or null
 };
 
 }  // namespace ptb

@@ -5,6 +5,7 @@
 
 #include "bench/validate/validate.h"
 #include "bench/workbench/host_reference.h"
+#include "bench/workbench/seeded.h"
 
 namespace ptb {
 namespace {
@@ -36,15 +37,34 @@ const Validation& Validator::verdict(const CaseJob& job, const Stage& stage) {
 Validation Validator::judged(const CaseJob& plain, const Stage& stage) {
     const auto stored = stored_reference(plain);
     const int spp = validation_spp(pace_.ns_per_sample(plain));
-    const CaseJob job = plain.sized(validation_size, stored ? spp : std::min(spp, unstored_spp));
-    const auto render = builds_.make(job);
-    timed_render(*render, pace_.timing(job, passes(stage, "validate")));
-    return judged_by(stored, job, render->read_film());
+    CaseJob job = plain.sized(validation_size, stored ? spp : std::min(spp, unstored_spp));
+    const Film film = rendered(plain, job, stage);
+    return judged_by(stored, job, film);
+}
+
+/// Where pixels share paths, by passes, whose samples `job` is then told.
+Film Validator::rendered(const CaseJob& plain, CaseJob& job, const Stage& stage) {
+    if (plain.kernel->independent_pixels) {
+        const auto render = builds_.make(job);
+        timed_render(*render, pace_.timing(job, passes(stage, "validate")));
+        return render->read_film();
+    }
+    Passes& all = passes_[plain.key()];
+    all = Passes{std::max(job.work.spp / enough_passes, 1), {}};
+    render_seeds(builds_, pace_, job.sized(validation_size, all.spp), enough_passes,
+                 passes(stage, "validate"), [&](Film film) { all.films.push_back(std::move(film)); });
+    job.work.spp = all.spp * enough_passes;
+    return together(all);
+}
+
+const Passes* Validator::passes_of(const CaseJob& job) const {
+    const auto found = passes_.find(job.plain().key());
+    return found == passes_.end() ? nullptr : &found->second;
 }
 
 Validation Validator::judged_by(const std::optional<Reference>& stored, const CaseJob& job,
                                 const Film& film) const {
-    const FilmEvidence evidence = evidence_of(film, job.work);
+    const FilmEvidence evidence = evidence_of(film, job.work, passes_of(job));
     Validation validation = check_film(evidence);
     if (stored) {
         check_against(validation, evidence, *stored);
@@ -57,7 +77,7 @@ Validation Validator::judged_by(const std::optional<Reference>& stored, const Ca
 }
 
 void Validator::check_timed_film(const CaseJob& job, const Film& film, Validation& validation) const {
-    const FilmEvidence evidence = evidence_of(film, job.work);
+    const FilmEvidence evidence = evidence_of(film, job.work, passes_of(job));
     Validation own = check_film(evidence);
     if (const auto stored = stored_reference(job)) check_timed(own, evidence, *stored);
     validation.checks.emplace_back("timed image");

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "bench/validate/passes.h"
 #include "bench/workbench/pace.h"
 #include "bench/workbench/stage.h"
 #include "core/oracle/reference.h"
@@ -29,13 +30,16 @@ class Validator {
 
   private:
     Validation judged(const CaseJob& plain, const Stage& stage);
+    Film rendered(const CaseJob& plain, CaseJob& job, const Stage& stage);
     Validation judged_by(const std::optional<Reference>& stored, const CaseJob& job, const Film& film) const;
+    const Passes* passes_of(const CaseJob& job) const;
 
     Builds& builds_;
     Pace& pace_;
     std::filesystem::path references_;
     std::uint64_t seed_;
     std::map<std::string, Validation> verdicts_;  ///< by `CaseJob::key` of plain jobs
+    std::map<std::string, Passes> passes_;        ///< likewise, of kernels whose pixels share paths
 };
 
 }  // namespace ptb

@@ -35,7 +35,9 @@ Film read_back(Render& render, Record& record) {
     record.build->readback_ms = seconds_since(begin) * 1e3;
     record.work->segments = film.segments;
     record.work->shadow_rays = film.shadow_rays;
+    record.work->light_segments = film.light_segments;
     record.work->full_length_paths = film.full_length_paths.value_or(0);
+    record.work->film_hash = film.hash;
     return film;
 }
 
@@ -56,7 +58,7 @@ CaseJob Workbench::resolve(const Case& params) {
     if (found == scenes_.end())
         found = scenes_.emplace(params.scene, load_scene(scene_file(params.scene, data_folder_))).first;
     return {params, &found->second, &kernel,
-            render_job(params, kernel, builds_.device().info, options_.seed)};
+            render_job(params, kernel, builds_.device().info, found->second, options_.seed)};
 }
 
 CaseResult Workbench::run(const Case& params, double time_left_s, const Stage& stage) {
@@ -92,7 +94,8 @@ Image Workbench::time(const CaseJob& job, double time_left_s, const Stage& stage
     validator_.check_timed_film(job, film, *record.validation);
     stopwatch_.summarize(measurement, record);
     if (record.statistics)
-        record.efficiency = efficiency_of(job, film, *record.statistics, validator_.stored_reference(job));
+        record.efficiency = efficiency_of(builds_, pace_, job, film, *record.statistics,
+                                          validator_.stored_reference(job), stage);
     return std::move(film.mean);
 }
 

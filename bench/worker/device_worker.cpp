@@ -6,8 +6,7 @@
 
 #include "bench/plan/data_dir.h"
 #include "bench/plan/scene_file.h"
-#include "core/input/json.h"
-#include "core/source/source.h"
+#include "core/scene/content.h"
 
 namespace ptb {
 namespace {
@@ -16,7 +15,7 @@ constexpr int tries_to_open = 2;
 
 std::string hash_of_scene(const std::string& scene) {
     const std::filesystem::path file = scene_file(scene, data_dir());
-    return std::filesystem::is_regular_file(file) ? text_hash(read_text(file)) : std::string();
+    return std::filesystem::is_regular_file(file) ? scene_hash(file) : std::string();
 }
 
 bool is_ready(const Reply& reply) {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "bench/measure/nvml.h"
 #include "bench/worker/icd.h"
 #include "core/ocl/device.h"
 
@@ -54,6 +55,7 @@ void check_pocl_cache(const Icd& icd) {
 
 std::vector<DeviceInfo> probe_devices() {
     auto devices = ocl::query_devices();
+    for (DeviceInfo& device : devices) describe_board(device);
     if (!devices.empty()) return devices;
     for (const Icd& icd : find_icds()) {
         check_loads(icd);

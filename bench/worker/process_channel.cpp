@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <csignal>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -106,7 +108,19 @@ class ProcessChannel : public Channel {
         return {Reply::End::crashed, {}, "the worker answered " + what, {}};
     }
 
-    Reply crashed() { return {Reply::End::crashed, {}, with_last_words(process_.ending()), {}}; }
+    Reply crashed() {
+        if (is_ended_with_all()) return {Reply::End::interrupted, {}, "interrupted", {}};
+        return {Reply::End::crashed, {}, with_last_words(process_.ending()), {}};
+    }
+
+    /// A batch system that ends a job tells each of its processes; the worker may hear of it first.
+    bool is_ended_with_all() {
+        const auto is_to_stop = [&] { return stopped_ && stopped_(); };
+        const bool was_told = process_.ending() == "killed by " + signal_name(SIGTERM);
+        for (int i = 0; was_told && !is_to_stop() && i < 50; ++i)
+            std::this_thread::sleep_for(milliseconds(10));
+        return is_to_stop();
+    }
 
     /// What drivers and their compilers printed since the request.
     std::string printed() const {

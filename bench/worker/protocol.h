@@ -24,7 +24,7 @@ struct Request {
     MeasureOptions measure;             ///< open
     Case params;                        ///< estimate, run, round, render
     std::optional<double> time_left_s;  ///< run: what is left of the budget for this case
-    std::string scene_hash;             ///< of the scene's text where the request comes from, or empty
+    std::string scene_hash;             ///< of the scene's content where the request comes from, or empty
     bool picture = false;               ///< run: send the timed picture, too
     std::optional<double> time_s;       ///< render: how long, whatever the case says of samples
     int samples = 0;                    ///< round: how many

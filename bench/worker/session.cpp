@@ -11,10 +11,9 @@
 #include "bench/workbench/outcome.h"
 #include "bench/workbench/workbench.h"
 #include "bench/worker/picture.h"
-#include "core/input/json.h"
 #include "core/input/usage_error.h"
 #include "core/ocl/error.h"
-#include "core/source/source.h"
+#include "core/scene/content.h"
 
 namespace ptb {
 
@@ -54,9 +53,9 @@ void send_pixels(const Image& image, const WorkerSession::Send& send) {
 std::string other_scene(const Request& request) {
     if (request.scene_hash.empty()) return {};
     const std::string& scene = request.params.scene;
-    const std::string hash = text_hash(read_text(scene_file(scene, data_dir())));
+    const std::string hash = scene_hash(scene_file(scene, data_dir()));
     if (hash == request.scene_hash) return {};
-    return fmt::format("scene {}: found the text {} where the worker is; allowed: {}", scene, hash,
+    return fmt::format("scene {}: found the content {} where the worker is; allowed: {}", scene, hash,
                        request.scene_hash);
 }
 

@@ -1,9 +1,12 @@
 #include "core/file/replace_file.h"
 
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <fstream>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -12,9 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path temporary_beside(const fs::path& file) {
-    static std::atomic<unsigned> counter = 0;  // two threads of a process never share a name
-    return file.parent_path() / fmt::format(".{}.tmp-{}-{}", file.filename().string(), ::getpid(), counter++);
+/// Onto the disk: a file that is renamed before its bytes are there is empty after a power cut.
+std::error_code sync(const fs::path& file) {
+    const int fd = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool synced = fd >= 0 && (::fsync(fd) == 0 || errno == EINVAL || errno == ENOTSUP);
+    const int error = errno;
+    if (fd >= 0) ::close(fd);
+    return synced ? std::error_code() : std::error_code(error, std::generic_category());
 }
 
 std::error_code write_all(const fs::path& file, std::string_view bytes) {
@@ -26,16 +33,48 @@ std::error_code write_all(const fs::path& file, std::string_view bytes) {
     return {errno == 0 ? EIO : errno, std::generic_category()};
 }
 
+/// A file system without links can still refuse to rename onto a file.
+std::error_code link_or_rename(const fs::path& temporary, const fs::path& file) {
+    if (::link(temporary.c_str(), file.c_str()) == 0) return {};
+    if (errno == EEXIST) return std::make_error_code(std::errc::file_exists);
+    if (::renameat2(AT_FDCWD, temporary.c_str(), AT_FDCWD, file.c_str(), RENAME_NOREPLACE) == 0) return {};
+    return {errno, std::generic_category()};
+}
+
 }  // namespace
+
+fs::path temporary_beside(const fs::path& file) {
+    static std::atomic<unsigned> counter = 0;  // two threads of a process never share a name
+    std::array<char, 65> host{};               // of this process on this machine: others may share the folder
+    ::gethostname(host.data(), host.size() - 1);
+    return file.parent_path() /
+           fmt::format(".{}.tmp-{}-{}-{}", file.filename().string(), host.data(), ::getpid(), counter++);
+}
+
+std::error_code put_in_place(const fs::path& temporary, const fs::path& file) {
+    std::error_code error = sync(temporary), ignored;
+    if (!error) fs::rename(temporary, file, error);
+    if (error) fs::remove(temporary, ignored);
+    return error;
+}
+
+std::error_code make_new_file(const fs::path& file, std::string_view bytes) {
+    const fs::path temporary = temporary_beside(file);
+    std::error_code error = write_all(temporary, bytes), ignored;
+    if (!error) error = sync(temporary);
+    if (!error) error = link_or_rename(temporary, file);
+    fs::remove(temporary, ignored);
+    return error;
+}
 
 std::error_code replace_file(const fs::path& file, std::string_view bytes) {
     std::error_code ignored;
     if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored)) return write_all(file, bytes);
     const fs::path target = fs::is_symlink(file, ignored) ? fs::weakly_canonical(file, ignored) : file;
     const fs::path temporary = temporary_beside(target);
-    std::error_code error = write_all(temporary, bytes);
-    if (!error) fs::rename(temporary, target, error);
-    if (error) fs::remove(temporary, ignored);
+    const std::error_code error = write_all(temporary, bytes);
+    if (!error) return put_in_place(temporary, target);
+    fs::remove(temporary, ignored);
     return error;
 }
 

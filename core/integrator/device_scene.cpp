@@ -114,7 +114,7 @@ DeviceScene::Numbers numbers_of(const std::vector<Placed>& placed, int first_ran
 
 DeviceScene make_device_scene(const Scene& file_scene) {
     const Placement placement = place(file_scene);
-    const Scene scene = seen_from(file_scene, placement.origin);
+    const Scene scene = spheres_seen_from(file_scene, placement.origin);
     const std::vector<Placed> placed = placed_spheres(scene, placement.forms);
     DeviceScene result;
     result.careful = numbers_of(placed, 1, 4);
@@ -122,6 +122,7 @@ DeviceScene make_device_scene(const Scene& file_scene) {
     result.opaque = numbers_of(placed, 0, 2).end;
     result.two_sided = static_cast<std::uint32_t>(placed.size()) - result.opaque;
     result.plain_error = placement.plain_error;
+    result.has_meshes = !file_scene.meshes.empty();
     result.origin = placement.origin;
     result.outer_faces.resize(placed.size());
     for (std::uint32_t i = 0; i < placed.size(); ++i)
@@ -150,6 +151,11 @@ DeviceScene make_device_scene(const Scene& file_scene) {
     result.surfaces.insert(result.surfaces.end(), opaque.begin(), opaque.end());
     result.surfaces.push_back(background());
     result.surfaces.push_back(std::bit_cast<SceneSurface>(start(scene, placed, result.camera_sides.front())));
+    result.mesh_faces = static_cast<std::uint32_t>(result.surfaces.size());
+    if (result.has_meshes)
+        for (const Material& material : scene.materials)
+            for (const bool inside : {false, true})
+                result.surfaces.push_back(face(Sphere{}, material, inside));
     return result;
 }
 

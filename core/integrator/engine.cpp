@@ -6,7 +6,10 @@
 #include "core/integrator/camera.h"
 #include "core/integrator/engine_options.h"
 #include "core/integrator/film.h"
+#include "core/integrator/large_buffer.h"
+#include "core/integrator/splats.h"
 #include "core/integrator/unit_cut.h"
+#include "core/render/film_hash.h"
 
 namespace ptb {
 
@@ -32,10 +35,10 @@ std::uint64_t most_a_round(const RenderJob& job) {
 
 /// A GPU wants all its resident lanes busy, and a dozen units each, or the last ones to finish keep it
 /// waiting. A CPU's thread takes units for as long as there are any, so a few items a core are enough.
-Shape shape_of(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+Shape shape_of(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job) {
     const auto cores = static_cast<std::uint64_t>(std::max(device.info.compute_units, 1));
     const auto spp = static_cast<std::uint64_t>(job.spp);
-    const std::uint64_t paths = paths_per_item(device, scene, job.path_length);
+    const std::uint64_t paths = paths_per_item(device, scene, most_rays(row, job.path_length));
     const std::uint64_t busy =
         is_throughput_device(device) ? cores * 2048 : cores * static_cast<std::uint64_t>(job.lanes);
     const std::uint64_t fair = std::max<std::uint64_t>(job.size.pixels() * spp / (12 * busy), 1);
@@ -55,14 +58,16 @@ void stratify(EngineLaunch& launch, std::uint32_t spp) {
 
 template <class Row>
 cl::Buffer upload(const ocl::Device& device, const std::vector<Row>& rows) {
-    std::vector<Row> copy = rows;
-    if (copy.empty()) copy.emplace_back();
-    return {device.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, copy.size() * sizeof(Row), copy.data()};
+    static const Row none{};
+    const Row* first = rows.empty() ? &none : rows.data();
+    return {device.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
+            std::max<std::size_t>(rows.size(), 1) * sizeof(Row), const_cast<Row*>(first)};
 }
 
-/// A scene on a device. No lamps are one row of zeros, since there is no empty buffer.
+/// A scene on a device. No spheres or lamps are one row of zeros, since there is no empty buffer.
 struct SceneBuffers {
     cl::Buffer spheres, surfaces, sides, lamps;
+    std::vector<cl::Buffer> meshes;  ///< nodes, leaves and triangles, where there are any
     SceneFewSpheres few{};
     std::uint64_t bytes = 0;
 
@@ -72,7 +77,17 @@ struct SceneBuffers {
           sides(upload(device, scene.camera_sides)),
           lamps(upload(device, scene.lamps)),
           few(scene.few),
-          bytes(scene.bytes()) {}
+          bytes(scene.bytes()) {
+        if (!scene.has_meshes) return;
+        const Tree& tree = *scene.meshes.tree;
+        const bool wide = tree.nodes2.empty();
+        const auto add = [&](const auto& rows) {
+            meshes.push_back(large_buffer(device, std::as_bytes(std::span(rows))));
+        };
+        wide ? add(tree.nodes8) : add(tree.nodes2);
+        wide ? add(tree.blocks) : add(tree.triangles);
+        add(scene.meshes.triangles);
+    }
 };
 
 double least_chance(const DeviceScene& scene) {
@@ -97,6 +112,8 @@ EngineLaunch launch_of(const Scene& scene, const DeviceScene& device_scene, cons
     launch.lamp = device_scene.lone_lamp;
     launch.radiance_scale = std::ldexp(1.0f, scale.radiance);
     launch.squares_scale = std::ldexp(1.0f, scale.squares);
+    launch.height = static_cast<std::uint32_t>(job.size.height);
+    launch.picture = device_picture(scene.camera, job.size);
     stratify(launch, static_cast<std::uint32_t>(job.spp));
     return launch;
 }
@@ -105,11 +122,12 @@ class EngineRender : public Render {
   public:
     EngineRender(const Integrator& row, const ocl::Device& device, const ocl::Program& program,
                  const Scene& scene, const RenderJob& job)
-        : EngineRender(row, device, program, scene, device_scene_for(row, scene), job) {}
+        : EngineRender(row, device, program, scene, device_scene_for(row, device, scene, job), job) {}
 
     void restart() override {
         ocl::checked(row_.id + " restart", device_.info.name, [&] {
             film_->clear(launcher_.queue());
+            if (splats_) splats_->clear(launcher_.queue());
             launcher_.queue().finish();
         });
         counted_.clear();
@@ -133,21 +151,25 @@ class EngineRender : public Render {
     Film read_film() override {
         Film film;
         film.mean = {job_.size, std::vector<float>(job_.size.pixels() * 3)};
-        film.variance = film.mean;
+        if (row_.independent_pixels) film.variance = film.mean;
         film.samples = film.full_length_paths = 0;
+        FilmHash hash;
         for (int row = 0; row < job_.size.height; row += rows_at_once) {
             const int rows = std::min(rows_at_once, job_.size.height - row);
             const auto pixels = ocl::checked(row_.id + " film", device_.info.name,
-                                             [&] { return film_->read(launcher_.queue(), row, rows); });
+                                             [&] { return read_rows(row, rows, film); });
             store_pixels(pixels, Size{job_.size.width, row}.pixels(), scale_, film);
+            hash.add(std::span<const FilmPixel>(pixels));
         }
+        film.hash = hash.text();
         return film;
     }
 
     ocl::KernelFacts facts() const override { return kernel_facts(device_, render_); }
     std::optional<Counts> counts() const override { return counted_.read(); }
     std::uint64_t device_bytes() const override {
-        return film_->bytes() + cut_.max_units() * sizeof(Tally) + scene_->bytes;
+        return film_->bytes() + (splats_ ? splats_->bytes() : 0) + cut_.max_units() * sizeof(Tally) +
+               scene_->bytes;
     }
 
   private:
@@ -156,7 +178,7 @@ class EngineRender : public Render {
         : row_(row),
           device_(device),
           job_(job),
-          shape_(shape_of(device, scene, job)),
+          shape_(shape_of(row, device, scene, job)),
           cut_(shape_.runs, job.size.pixels(), shape_.max_units),
           scale_(film_scale(scene, job, least_chance(device_scene))),
           launcher_(device, job.variant),
@@ -166,6 +188,7 @@ class EngineRender : public Render {
             render_ = cl::Kernel(program.program, row.kernel("render").c_str());
             counted_.give(render_);
             film_ = make_film_store(device_, program.program, row.id, job, counted_);
+            if (!row.independent_pixels) splats_.emplace(device_, job.size);
             tallies_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, cut_.max_units() * sizeof(Tally));
             counters_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE,
                                    slices_of(cut_.max_units()) * sizeof(std::uint32_t));
@@ -176,6 +199,12 @@ class EngineRender : public Render {
     }
 
     static constexpr int rows_at_once = 256;  ///< of the film, on the host
+
+    std::vector<FilmPixel> read_rows(int first_row, int rows, Film& film) {
+        auto pixels = film_->read(launcher_.queue(), first_row, rows);
+        if (splats_) film.light_segments += splats_->add_to(pixels, launcher_.queue(), first_row);
+        return pixels;
+    }
 
     std::vector<LaunchTimes> launch_units() {
         const std::uint64_t slices = slices_of(launch_.units);
@@ -199,7 +228,10 @@ class EngineRender : public Render {
         cl_uint i = 0;
         const auto give = [&](const auto& argument) { render_.setArg(i++, argument); };
         give(tallies_), give(counters_), give(scene_->spheres), give(scene_->surfaces), give(scene_->sides);
-        give(starts_), give(scene_->lamps), give(scene_->few), give(part);
+        give(starts_), give(scene_->lamps), give(scene_->few);
+        for (const cl::Buffer& each : scene_->meshes) give(each);
+        give(part);
+        if (splats_) give(splats_->buffer());
         launcher_.launch(render_, ranges_of(part.units - part.first_unit));
     }
 
@@ -235,6 +267,7 @@ class EngineRender : public Render {
     CountedRows counted_;
     cl::Kernel render_;
     std::unique_ptr<FilmStore> film_;
+    std::optional<SplatStore> splats_;
     cl::Buffer tallies_, counters_, starts_;
     std::optional<SceneBuffers> scene_;
     EngineLaunch launch_;
@@ -242,12 +275,16 @@ class EngineRender : public Render {
 
 DeviceMemory memory(const Integrator& row, const ocl::Device& device, const Scene& scene,
                     const RenderJob& job) {
-    const Shape shape = shape_of(device, scene, job);
+    const Shape shape = shape_of(row, device, scene, job);
     const std::uint64_t units = job.size.pixels() * shape.runs.count();
-    const std::uint64_t film = film_bytes_of(job.size, job.variant.film_memory);
+    const std::uint64_t film = film_bytes_of(job.size, job.variant.film_memory) +
+                               (row.independent_pixels ? 0 : splat_bytes_of(job.size));
     const std::uint64_t tallies = std::min(shape.max_units, units) * sizeof(Tally);
-    return {film + tallies + device_scene_for(row, scene).bytes(),
-            std::max(largest_film_object(job.size, job.variant.film_memory), tallies)};
+    const DeviceScene device_scene = device_scene_for(row, device, scene, job);
+    const DeviceMeshes& meshes = device_scene.meshes;
+    return {film + tallies + device_scene.bytes(),
+            std::max({largest_film_object(job.size, job.variant.film_memory), tallies, meshes.node_bytes(),
+                      meshes.leaf_bytes(), meshes.triangle_bytes()})};
 }
 
 std::unique_ptr<Render> make(const Integrator& row, const ocl::Device& device, const ocl::Program& program,

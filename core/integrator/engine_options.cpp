@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/integrator/device_lamps.h"
+#include "core/integrator/device_meshes.h"
 #include "core/integrator/film.h"
 #include "core/integrator/placement.h"
 #include "core/integrator/variant_support.h"
@@ -59,11 +60,65 @@ std::string memory_refusal(const Integrator& row, const ocl::Device& device, con
         return refused("constant", device.info.constant_bytes);
     if (memory == SceneMemory::local && bytes > device.info.local_bytes)
         return refused("local", device.info.local_bytes);
+    if (scene.has_meshes && memory != SceneMemory::automatic && memory != SceneMemory::constant &&
+        memory != SceneMemory::global)
+        return fmt::format("scene_memory {}: {} has spheres beside meshes in auto, constant, global",
+                           variant_value("scene_memory", job.variant), row.id);
     const bool by_value = memory == SceneMemory::argument || memory == SceneMemory::private_memory;
     if (by_value && !scene.is_few())
         return fmt::format("scene_memory {}: {} takes at most {} faces so, these {} spheres have {}",
                            memory == SceneMemory::argument ? "argument" : "private", row.id, SCENE_FEW_MOST,
                            scene.spheres.size(), scene.faces());
+    return "";
+}
+
+/// GPUs count instructions, CPUs have registers of eight floats.
+TreeLayout layout_of(const ocl::Device& device, const Variant& variant) {
+    switch (variant.bvh) {
+        case Bvh::bvh2:
+            return TreeLayout::bvh2;
+        case Bvh::wide8:
+            return TreeLayout::wide8;
+        case Bvh::automatic:
+            break;
+    }
+    return is_throughput_device(device) ? TreeLayout::bvh2 : TreeLayout::wide8;
+}
+
+TreeSettings settings_of(const Variant& variant) {
+    const BvhSplit split = variant.bvh_split;
+    TreeSettings settings;
+    const bool spatial = split == BvhSplit::spatial || split == BvhSplit::spatial_xyz;
+    settings.method = spatial ? TreeMethod::spatial : TreeMethod::sah;
+    settings.size_axis = split == BvhSplit::spatial || split == BvhSplit::sah;
+    return settings;
+}
+
+/// Stacks of so many links or the next multiple share a build.
+constexpr int stack_step = 16;
+
+std::string mesh_options(const ocl::Device& device, const DeviceScene& scene, const RenderJob& job) {
+    const TreeFacts& tree = scene.meshes.tree->facts;
+    std::string text = fmt::format(" -DSCENE_TREE={} -DTREE_STACK={}",
+                                   layout_of(device, job.variant) == TreeLayout::bvh2 ? 2 : 8,
+                                   (tree.stack_most / stack_step + 1) * stack_step);
+    text += is_throughput_device(device) ? " -DSCENE_PAUSES" : " -DENGINE_ALONE";
+    if (scene.meshes.refract) text += " -DSCENE_GLASS";
+    return text;
+}
+
+/// What cannot be where there are meshes.
+std::string mesh_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                         const RenderJob& job) {
+    if (scene.meshes.empty()) return "";
+    if (job.lanes != 1)
+        return fmt::format("lanes {}: {} has 1 with meshes, as in scene {}", job.lanes, row.id, scene.name);
+    if (ocl::bounds_loops(device.info))
+        return fmt::format("scene {} has meshes: this device drops what loops do after {} turns", scene.name,
+                           ocl::loop_limit(device.info));
+    if (job.variant.build == BuildMode::relaxed)
+        return fmt::format("build relaxed: {} loses rays at edges so; with meshes it has default, strict",
+                           row.id);
     return "";
 }
 
@@ -83,6 +138,20 @@ std::string placement_refusal(const Integrator& row, const Scene& scene) {
     return fmt::format(
         "scene {}: /spheres/{}: {}'s single precision loses a radius of {:g} at a distance of {:g}",
         scene.name, *placement.lost, row.id, sphere.radius, length(sphere.centre - placement.origin));
+}
+
+/// What other samples add to a pixel lies anywhere in it.
+std::string filter_refusal(const Integrator& row, const RenderJob& job) {
+    if (row.independent_pixels) return "";
+    return choice_refusal(row.id, "pixel_filter", job.variant, {"jitter", "stratified"});
+}
+
+/// The vertices of paths that are joined lie in private memory, some 60 bytes each a lane.
+constexpr int longest_joined = 256;
+
+std::string length_refusal(const Integrator& row, const RenderJob& job) {
+    if (row.independent_pixels || job.path_length <= longest_joined) return "";
+    return fmt::format("path_length {}: {} takes at most {}", job.path_length, row.id, longest_joined);
 }
 
 /// Light all around is met, but cannot be asked for.
@@ -115,17 +184,20 @@ std::uint32_t strata_columns(std::uint32_t spp) {
     return columns;
 }
 
-DeviceScene device_scene_for(const Integrator& row, const Scene& scene) {
-    DeviceScene device = make_device_scene(scene);
-    if (row.samples_lamps) add_lamps(device, scene);
-    return device;
+DeviceScene device_scene_for(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                             const RenderJob& job) {
+    DeviceScene result = make_device_scene(scene);
+    add_meshes(result, scene, layout_of(device, job.variant), settings_of(job.variant));
+    if (row.samples_lamps) add_lamps(result, scene);
+    return result;
 }
 
 std::string engine_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,
                            const RenderJob& job) {
     for (const std::string& reason :
-         {placement_refusal(row, scene), surrounding_refusal(row, scene),
-          memory_refusal(row, device, device_scene_for(row, scene), job),
+         {mesh_refusal(row, device, scene, job), placement_refusal(row, scene),
+          surrounding_refusal(row, scene), filter_refusal(row, job), length_refusal(row, job),
+          memory_refusal(row, device, make_device_scene(scene), job),
           film_refusal(device, job.size, job.variant.film_memory), rows_refusal(row, job)})
         if (!reason.empty()) return reason;
     return "";
@@ -133,7 +205,7 @@ std::string engine_refusal(const Integrator& row, const ocl::Device& device, con
 
 std::string engine_options(const Integrator& row, const ocl::Device& device, const Scene& scene,
                            const RenderJob& job) {
-    const DeviceScene device_scene = device_scene_for(row, scene);
+    const DeviceScene device_scene = device_scene_for(row, device, scene, job);
     const Places places = places_of(device, device_scene, job);
     const bool lone_on_gpu = is_throughput_device(device) && job.lanes == 1;
     std::string text = common_options(device, job);
@@ -151,8 +223,9 @@ std::string engine_options(const Integrator& row, const ocl::Device& device, con
                             device_scene.faces());
     if (ocl::bounds_loops(device.info)) text += " -DENGINE_BOUNDED";
     if (glows(scene)) text += " -DSCENE_GLOWS";
-    if (lone_on_gpu) text += " -DENGINE_BATCH=6";
-    if (lone_on_gpu && carries_gaps(device_scene, job.path_length)) text += " -DSCENE_CARRIED";
+    if (lone_on_gpu && !device_scene.has_meshes) text += " -DENGINE_BATCH=6";
+    if (lone_on_gpu && row.independent_pixels && carries_gaps(device_scene, job.path_length))
+        text += " -DSCENE_CARRIED";
     if (device_scene.has_careful())
         text += fmt::format(
             " -DSCENE_CAREFUL_BEGIN={}u -DSCENE_CAREFUL_END={}u -DSCENE_DISTANT_BEGIN={}u "
@@ -163,15 +236,23 @@ std::string engine_options(const Integrator& row, const ocl::Device& device, con
         text +=
             fmt::format(" -DENGINE_FILTER={}",
                         job.variant.pixel_filter == PixelFilter::centre ? ENGINE_CENTRE : ENGINE_STRATIFIED);
-    if (row.samples_lamps && device_scene.lamps.size() > 1) text += " -DSCENE_MANY_LAMPS";
-    if (row.samples_lamps && device_scene.lamps.size() <= 1)
+    if (device_scene.has_meshes) text += mesh_options(device, device_scene, job);
+    const bool many_lamps = device_scene.lamps.size() > 1 || device_scene.has_meshes;
+    if (row.samples_lamps && many_lamps) text += " -DSCENE_MANY_LAMPS";
+    if (row.samples_lamps && !many_lamps)
         text +=
             fmt::format(" -DSCENE_LONE_LAMP={}",
                         std::isinf(device_scene.lone_lamp.near_squared) ? SCENE_FREE_LAMP : SCENE_SUNK_LAMP);
+    if (!row.independent_pixels) text += fmt::format(" -DENGINE_PATH_LENGTH={}", job.path_length);
     if (job.variant.roulette == Roulette::albedo) text += " -DENGINE_ROULETTE";
     if (job.variant.film_memory == FilmMemory::image) text += " -DENGINE_IMAGE_FILM";
     if (job.variant.rng == Rng::park_miller) text += " -DPTB_PARK_MILLER";
     return text;
+}
+
+int most_rays(const Integrator& row, int path_length) {
+    const int joined = std::min(path_length, longest_joined);
+    return row.independent_pixels ? path_length : joined * (joined + 5) / 2;
 }
 
 bool is_throughput_device(const ocl::Device& device) { return device.info.type != "CPU"; }

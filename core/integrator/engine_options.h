@@ -8,8 +8,9 @@
 
 namespace ptb {
 
-/// The scene with what of it the integrator asks for.
-DeviceScene device_scene_for(const Integrator& row, const Scene& scene);
+/// The scene with what of it the integrator asks for, as a job of this variant has it there.
+DeviceScene device_scene_for(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                             const RenderJob& job);
 
 /// Build options of an integrator for a job.
 std::string engine_options(const Integrator& row, const ocl::Device& device, const Scene& scene,
@@ -22,6 +23,10 @@ std::string engine_refusal(const Integrator& row, const ocl::Device& device, con
 /// Of the grid of cells that stratified samples of a pixel lie in, one each: the largest divisor of spp that
 /// is not above its root.
 std::uint32_t strata_columns(std::uint32_t spp);
+
+/// Rays that a sample of this length takes at most, one after the other: where pixels share paths, those of
+/// two paths, and between all their vertices.
+int most_rays(const Integrator& row, int path_length);
 
 /// One that wants thousands of work-items: all but CPUs.
 bool is_throughput_device(const ocl::Device& device);

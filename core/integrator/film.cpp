@@ -142,8 +142,9 @@ void store_pixels(const std::vector<FilmPixel>& pixels, std::size_t first, const
         const double n = pixel.samples;
         for (std::size_t c = 0; c < 3; ++c) {
             const double mean = n > 0 ? unscaled(pixel.radiance[c], scale.radiance) / n : 0;
-            const double deviations = unscaled(pixel.squares[c], scale.squares) - n * mean * mean;
             film.mean.rgb[3 * (first + i) + c] = static_cast<float>(mean);
+            if (!film.variance) continue;
+            const double deviations = unscaled(pixel.squares[c], scale.squares) - n * mean * mean;
             film.variance->rgb[3 * (first + i) + c] =
                 n > 1 ? static_cast<float>(std::max(deviations, 0.0) / (n - 1)) : 0.0f;
         }

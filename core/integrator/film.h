@@ -23,7 +23,8 @@ struct FilmScale {
 /// @param least_chance  of a lamp that is asked for its light, 1 where none is
 FilmScale film_scale(const Scene& scene, const RenderJob& job, double least_chance);
 
-/// The picture and the counts of some pixels, added to `film` from pixel `first` on. A broken sum is NaN.
+/// The picture and the counts of some pixels, added to `film` from pixel `first` on, with the variance where
+/// it has one. A broken sum is NaN.
 void store_pixels(const std::vector<FilmPixel>& pixels, std::size_t first, const FilmScale& scale,
                   Film& film);
 

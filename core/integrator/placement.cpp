@@ -61,13 +61,47 @@ Seen seen_by(const Scene& scene, const Sphere& sphere, const Vec3& origin) {
             std::max(length(scene.camera.position - origin), clearance(sphere, origin))};
 }
 
-struct Candidate {
-    Placement placement;
-    double error = 0;  ///< sum over the spheres, each in its form
+/// Around all meshes, along the axes.
+struct Bounds {
+    Vec3 low, high;
+
+    Vec3 middle() const { return (low + high) * 0.5; }
+    /// Of its farthest corner.
+    double reach_from(const Vec3& origin) const {
+        const Vec3 half = (high - low) * 0.5, to = middle() - origin;
+        return length({std::abs(to.x) + half.x, std::abs(to.y) + half.y, std::abs(to.z) + half.z});
+    }
 };
 
-Candidate candidate_at(const Scene& scene, const Vec3& origin, double detail) {
+std::optional<Bounds> bounds_of_meshes(const Scene& scene) {
+    std::optional<Bounds> bounds;
+    for (const Mesh& mesh : scene.meshes)
+        for (const Vec3& v : mesh.vertices) {
+            if (!bounds) bounds = Bounds{v, v};
+            Vec3 &low = bounds->low, &high = bounds->high;
+            low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+            high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+        }
+    return bounds;
+}
+
+/// So many times as far from the origin as they are large, corners of meshes round to other shapes.
+constexpr double bearable_reach = 16;
+
+struct Candidate {
+    Placement placement;
+    double error = 0;  ///< sum over the spheres, each in its form, and the meshes
+    bool all_plain = true;
+};
+
+Candidate candidate_at(const Scene& scene, const std::optional<Bounds>& meshes, const Vec3& origin,
+                       double detail) {
     Candidate result{{origin, {}, 0, std::nullopt}, 0};
+    if (meshes) {
+        const double reach = meshes->reach_from(origin);
+        result.error = rounding * reach;
+        result.all_plain = reach <= bearable_reach * length(meshes->high - meshes->low);
+    }
     Placement& placement = result.placement;
     for (const Sphere& sphere : scene.spheres) {
         const Seen seen = seen_by(scene, sphere, origin);
@@ -77,13 +111,9 @@ Candidate candidate_at(const Scene& scene, const Vec3& origin, double detail) {
         if (form == Form::plain) placement.plain_error = std::max(placement.plain_error, error / detail);
         if (error > sphere.radius / 2 && !placement.lost) placement.lost = placement.forms.size();
         placement.forms.push_back(form);
+        result.all_plain &= form == Form::plain;
     }
     return result;
-}
-
-bool all_plain(const Placement& placement) {
-    return std::all_of(placement.forms.begin(), placement.forms.end(),
-                       [](Form form) { return form == Form::plain; });
 }
 
 /// The point that has the least sum of (distance / radius)^2, which is what small spheres' errors grow with.
@@ -98,20 +128,30 @@ Vec3 middle(const Scene& scene) {
     return scene.camera.position + sum * (1 / weights);
 }
 
+/// What may serve beside the file's own.
+std::vector<Vec3> origins(const Scene& scene, const std::optional<Bounds>& meshes) {
+    std::vector<Vec3> found{scene.camera.position};
+    if (!scene.spheres.empty()) found.push_back(middle(scene));
+    if (meshes) found.push_back(meshes->middle());
+    return found;
+}
+
 }  // namespace
 
 Placement place(const Scene& scene) {
     const double detail = finest_detail(scene);
-    Candidate best = candidate_at(scene, {}, detail);
-    if (all_plain(best.placement)) return best.placement;
-    for (const Vec3& origin : {scene.camera.position, middle(scene)}) {
-        Candidate other = candidate_at(scene, origin, detail);
+    const std::optional<Bounds> meshes = bounds_of_meshes(scene);
+    Candidate best = candidate_at(scene, meshes, {}, detail);
+    if (best.all_plain) return best.placement;
+    for (const Vec3& origin : origins(scene, meshes)) {
+        Candidate other = candidate_at(scene, meshes, origin, detail);
         if (other.error < best.error) best = std::move(other);
     }
     return best.placement;
 }
 
-Scene seen_from(Scene scene, const Vec3& origin) {
+Scene spheres_seen_from(const Scene& all, const Vec3& origin) {
+    Scene scene{all.name, all.camera, all.materials, all.spheres, {}, {}};
     scene.camera.position = scene.camera.position - origin;
     scene.camera.look_at = scene.camera.look_at - origin;
     for (Sphere& sphere : scene.spheres) sphere.centre = sphere.centre - origin;

@@ -30,7 +30,7 @@ inline constexpr double bearable_error = 1e-3;
 /// In time proportional to the number of spheres.
 Placement place(const Scene& scene);
 
-/// The same scene in coordinates from another origin.
-Scene seen_from(Scene scene, const Vec3& origin);
+/// The same scene in coordinates from another origin, its meshes left out.
+Scene spheres_seen_from(const Scene& scene, const Vec3& origin);
 
 }  // namespace ptb

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "core/integrator/engine.h"
+#include "core/integrator/engine_options.h"
 #include "core/integrator/thesis.h"
 #include "core/integrator/variant_support.h"
 
@@ -18,12 +19,15 @@ std::string memory_reason(const Integrator& integrator, const ocl::Device& devic
                           const RenderJob& job) {
     const auto [total, largest] = integrator.memory(device, scene, job);
     const auto mib = [](std::uint64_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); };
+    std::string what = fmt::format("size {}x{}", job.size.width, job.size.height);
+    if (!scene.meshes.empty())
+        what += fmt::format(" of scene {}, {} triangles,", scene.name, triangle_count(scene));
     if (total > device.info.global_bytes)
-        return fmt::format("size {}x{} needs {:.0f} MiB of device memory, this device has {:.0f} MiB",
-                           job.size.width, job.size.height, mib(total), mib(device.info.global_bytes));
+        return fmt::format("{} needs {:.0f} MiB of device memory, this device has {:.0f} MiB", what,
+                           mib(total), mib(device.info.global_bytes));
     if (largest > device.info.max_alloc_bytes)
-        return fmt::format("size {}x{} needs a buffer of {:.0f} MiB, this device allows {:.0f} MiB at once",
-                           job.size.width, job.size.height, mib(largest), mib(device.info.max_alloc_bytes));
+        return fmt::format("{} needs a buffer of {:.0f} MiB, this device allows {:.0f} MiB at once", what,
+                           mib(largest), mib(device.info.max_alloc_bytes));
     return "";
 }
 
@@ -43,6 +47,15 @@ std::string work_group_reason(const Integrator& integrator, const DeviceInfo& in
     return "";
 }
 
+std::string tree_reason(const Scene& scene, const Variant& variant) {
+    if (!scene.meshes.empty()) return "";
+    for (const char* axis : {"bvh", "bvh_split"})
+        if (variant_value(axis, variant) != variant_value(axis, {}))
+            return fmt::format("{} {}: scene {} has no meshes", axis, variant_value(axis, variant),
+                               scene.name);
+    return "";
+}
+
 }  // namespace
 
 const std::vector<Integrator>& integrators() {
@@ -56,19 +69,29 @@ const std::vector<Integrator>& integrators() {
         {.id = "whitted",
          .summary = "classical ray tracing: mirrors and glass, hard shadows from one point of each lamp",
          .machinery = &engine_machinery,
+         .meshes = true,
          .samples_lamps = true},
         {.id = "direct",
          .summary = "ray tracing with lamps as areas: soft shadows, no light from matte to matte",
          .machinery = &engine_machinery,
+         .meshes = true,
          .samples_lamps = true,
          .only_asks = true},
         {.id = "pt",
          .summary = "physically right path tracer: no next-event estimation",
-         .machinery = &engine_machinery},
+         .machinery = &engine_machinery,
+         .meshes = true},
         {.id = "pt_nee",
          .summary = "pt with next-event estimation: lamps are asked for their light at matte surfaces",
          .machinery = &engine_machinery,
+         .meshes = true,
          .samples_lamps = true,
+         .truth = "pt"},
+        {.id = "bdpt",
+         .summary = "bidirectional path tracing: paths from lamps and from the camera, joined in all ways",
+         .machinery = &engine_machinery,
+         .samples_lamps = true,
+         .independent_pixels = false,
          .truth = "pt"},
     };
     return all;
@@ -103,12 +126,15 @@ std::string unsupported_reason(const Integrator& integrator, const ocl::Device& 
     if (std::find(integrator.lanes.begin(), integrator.lanes.end(), job.lanes) == integrator.lanes.end())
         return fmt::format("lanes {}: {} has {}", job.lanes, integrator.id,
                            fmt::join(integrator.lanes, ", "));
-    if (paths_per_item(device, scene, job.path_length) == 0)
+    if (!scene.meshes.empty() && !integrator.meshes)
+        return fmt::format("scene {} has meshes: {} sees spheres alone", scene.name, integrator.id);
+    if (paths_per_item(device, scene, most_rays(integrator, job.path_length)) == 0)
         return fmt::format("path_length {} with {} spheres: this device drops what loops do after {} turns",
                            job.path_length, scene.spheres.size(), ocl::loop_limit(device.info));
     for (const std::string& reason :
-         {work_group_reason(integrator, device.info, job), launch_refusal(device, job),
-          integrator.refusal(device, scene, job), memory_reason(integrator, device, scene, job)})
+         {tree_reason(scene, job.variant), work_group_reason(integrator, device.info, job),
+          launch_refusal(device, job), integrator.refusal(device, scene, job),
+          memory_reason(integrator, device, scene, job)})
         if (!reason.empty()) return reason;
     return "";
 }

@@ -30,6 +30,7 @@ struct Integrator {
     std::string summary;  ///< one line for `ptbench list`
     const Machinery* machinery = nullptr;
     std::vector<int> lanes = {1, 4, 8, 16, 32};  ///< lane widths it can be built for
+    bool meshes = false;                         ///< sees meshes, and not spheres alone
     bool two_dimensional = false;    ///< its work units are pixels, so a 2-D work-group means something
     bool samples_lamps = false;      ///< asks lamps for their light
     bool only_asks = false;          ///< finds no light at matte surfaces that it cannot ask for
@@ -73,7 +74,8 @@ const Integrator& integrator(const std::string& id);
 /// The kernel whose references and host tracer judge `id`, be it of this build or of another's results.
 std::string truth_of(const std::string& id);
 
-/// The device's own lane width where the integrator has it, else the integrator's first.
+/// The device's own lane width where the integrator has it, else the integrator's first. Scenes with meshes
+/// have 1 everywhere.
 int default_lanes(const Integrator& integrator, const DeviceInfo& device);
 
 /// Why this device cannot do this job (the limit is named), or nothing. Known before anything is built.

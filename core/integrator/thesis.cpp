@@ -5,6 +5,7 @@
 
 #include "core/integrator/camera.h"
 #include "core/integrator/variant_support.h"
+#include "core/render/film_hash.h"
 #include "core/render/launcher.h"
 #include "shared/thesis.h"
 
@@ -109,6 +110,9 @@ class ThesisRender : public Render {
                                                 result.data());
         });
         Film film;
+        FilmHash hash;
+        hash.add(std::span<const ptb_float4>(result));
+        film.hash = hash.text();
         film.mean = {job_.size, {}};
         film.mean.rgb.reserve(pixels_ * 3);
         for (std::size_t i = 0; i < pixels_; ++i) {

@@ -30,10 +30,7 @@ std::string launch_refusal(const ocl::Device& device, const RenderJob& job) {
 
 std::string choice_refusal(const std::string& integrator, const std::string& axis, const Variant& variant,
                            const std::vector<std::string>& has) {
-    const auto& axes = variant_axes();
-    const auto row =
-        std::find_if(axes.begin(), axes.end(), [&](const auto& each) { return each.name == axis; });
-    const std::string& value = row->value_of(variant);
+    const std::string& value = variant_value(axis, variant);
     if (std::find(has.begin(), has.end(), value) != has.end()) return "";
     return fmt::format("{} {}: {} has {}", axis, value, integrator, fmt::join(has, ", "));
 }

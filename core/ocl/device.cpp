@@ -5,6 +5,7 @@
 #include <cctype>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -12,7 +13,9 @@ namespace ptb::ocl {
 
 namespace {
 
-constexpr cl_device_info cl_device_uuid_khr = 0x106A;
+constexpr cl_device_info cl_device_uuid_khr = 0x106A, cl_device_pci_bus_info_khr = 0x410F,
+                         cl_device_pci_bus_id_nv = 0x4008, cl_device_pci_slot_id_nv = 0x4009,
+                         cl_device_pci_domain_id_nv = 0x400A;
 
 struct Found {
     DeviceInfo info;
@@ -70,6 +73,35 @@ std::string uuid_of(const cl::Device& device) {
     return hex;
 }
 
+/// What the device says of this kind, or nothing.
+template <class Value>
+std::optional<Value> told(const cl::Device& device, cl_device_info name) {
+    Value value{};
+    if (clGetDeviceInfo(device(), name, sizeof value, &value, nullptr) != CL_SUCCESS) return std::nullopt;
+    return value;
+}
+
+/// "0000:3b:00.0", by cl_khr_pci_bus_info or as NVIDIA's driver tells it; nothing where there is none.
+std::string pci_of(const cl::Device& device) {
+    struct Address {
+        cl_uint domain, bus, device, function;
+    };
+    const auto has = [&](const char* extension) {
+        return text(device, CL_DEVICE_EXTENSIONS).find(extension) != std::string::npos;
+    };
+    std::optional<Address> at;
+    if (has("cl_khr_pci_bus_info")) {
+        at = told<Address>(device, cl_device_pci_bus_info_khr);
+    } else if (has("cl_nv_device_attribute_query")) {
+        const auto bus = told<cl_uint>(device, cl_device_pci_bus_id_nv);
+        const auto slot = told<cl_uint>(device, cl_device_pci_slot_id_nv);  // device and function
+        if (bus && slot)
+            at = Address{told<cl_uint>(device, cl_device_pci_domain_id_nv).value_or(0), *bus, *slot >> 3,
+                         *slot & 7};
+    }
+    return at ? fmt::format("{:04x}:{:02x}:{:02x}.{}", at->domain, at->bus, at->device, at->function) : "";
+}
+
 /// Rays a work-item should trace together: the SIMD width on CPUs, whose compilers keep a kernel with one ray
 /// a work-item scalar (PoCL) or lose most of its width (Intel); twice that width, so that one ray's
 /// arithmetic fills the waits of another's. GPUs want 1, and so does Mesa's llvmpipe, which vectorises across
@@ -94,6 +126,7 @@ DeviceInfo describe(const cl::Platform& platform, const cl::Device& device, int 
     info.driver_version = text(device, CL_DRIVER_VERSION);
     info.c_version = text(device, CL_DEVICE_OPENCL_C_VERSION);
     info.uuid = uuid_of(device);
+    info.pci = pci_of(device);
     info.compute_units = static_cast<int>(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>());
     info.clock_mhz = static_cast<int>(device.getInfo<CL_DEVICE_MAX_CLOCK_FREQUENCY>());
     info.native_float_width = static_cast<int>(device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());

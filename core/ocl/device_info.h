@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,13 @@ struct DeviceInfo {
     std::vector<std::uint64_t> max_work_item_sizes;
     std::uint64_t timer_resolution_ns = 0;
     bool images = false, profiling = true;
+    std::string pci;   ///< "0000:3b:00.0", or empty
+    std::string node;  ///< of a fleet, or empty
+    // What the vendor's management library tells of the board, or nothing.
+    std::string serial, vbios;
+    std::optional<bool> ecc;
+    std::optional<int> max_clock_mhz, max_memory_clock_mhz;
+    std::optional<double> power_limit_w;
     std::string excluded;  ///< why it is not used ("the same device as ..."), or empty
     bool operator==(const DeviceInfo&) const = default;
 };

@@ -41,7 +41,8 @@ OracleResult trace_direct(const Scene& scene, const OracleJob& job);
 /// As `trace_direct`, but the first matte surface is lit by each lamp's power from one point of it.
 OracleResult trace_whitted(const Scene& scene, const OracleJob& job);
 
-/// The thesis' algorithm with its defects (the kernel `thesis`' twin), in double precision.
+/// The thesis' algorithm with its defects (the kernel `thesis`' twin), in double precision. Of spheres alone:
+/// throws std::invalid_argument where there are meshes.
 OracleResult trace_thesis(const Scene& scene, const OracleJob& job);
 
 using Tracer = OracleResult (*)(const Scene&, const OracleJob&);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double no_hit = std::numeric_limits<double>::infinity();
 
-struct PathHit {
+struct SphereHit {
     double distance = no_hit;
     int sphere = -1;
 };
@@ -33,8 +33,8 @@ double sphere_distance(const Sphere& sphere, bool inside, const PathRay& ray) {
 }
 
 /// `left_out` is the number of a sphere that is not there, or -1.
-PathHit nearest_hit(const Scene& scene, const InsideSet& inside, const PathRay& ray, int left_out = -1) {
-    PathHit best;
+SphereHit nearest_sphere(const Scene& scene, const InsideSet& inside, const PathRay& ray, int left_out) {
+    SphereHit best;
     for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
         if (static_cast<int>(i) == left_out) continue;
         const double distance = sphere_distance(scene.spheres[i], inside[i], ray);
@@ -86,25 +86,43 @@ InsideSet spheres_around(const Scene& scene, const Vec3& point) {
 }
 
 const Material& Path::material() const {
-    return scene_.materials[static_cast<std::size_t>(surface().material)];
+    const int material = surface_.facet >= 0
+                             ? facets_[surface_.facet].material
+                             : scene_.spheres[static_cast<std::size_t>(surface_.sphere)].material;
+    return scene_.materials[static_cast<std::size_t>(material)];
 }
 
-Vec3 Path::normal() const {
-    const Vec3 outwards = normalized(position() - surface().centre);
-    return is_inside() ? -outwards : outwards;
+Vec3 Path::outwards() const {
+    if (surface_.facet >= 0) return facets_[surface_.facet].normal;
+    return normalized(position() - scene_.spheres[static_cast<std::size_t>(surface_.sphere)].centre);
 }
+
+bool Path::is_inside() const {
+    if (surface_.facet >= 0) return dot(ray_.direction, facets_[surface_.facet].normal) > 0;
+    return inside_[static_cast<std::size_t>(surface_.sphere)];
+}
+
+Vec3 Path::normal() const { return is_inside() ? -outwards() : outwards(); }
 
 bool Path::advance() {
-    const PathHit hit = nearest_hit(scene_, inside_, ray_);
-    if (hit.sphere < 0) return false;
-    sphere_ = hit.sphere;
-    ray_.origin = ray_.origin + ray_.direction * hit.distance;
+    const SphereHit sphere = nearest_sphere(scene_, inside_, ray_, -1);
+    const FacetHit facet = facets_.nearest(ray_, surface_.facet, -1);
+    if (sphere.sphere < 0 && facet.facet < 0) return false;
+    if (facet.distance < sphere.distance) {
+        surface_ = {-1, facet.facet};
+        ray_.origin = facet.position;
+    } else {
+        surface_ = {sphere.sphere, -1};
+        ray_.origin = ray_.origin + ray_.direction * sphere.distance;
+    }
     return true;
 }
 
-bool Path::sees(const Vec3& point, int lamp) const {
+bool Path::sees(const Vec3& point, const Surface& lamp) const {
     const Vec3 way = point - position();
-    return nearest_hit(scene_, inside_, {position(), normalized(way)}, lamp).distance >= length(way);
+    const PathRay ray = {position(), normalized(way)};
+    return std::min(nearest_sphere(scene_, inside_, ray, lamp.sphere).distance,
+                    facets_.nearest(ray, surface_.facet, lamp.facet).distance) >= length(way);
 }
 
 void Path::scatter() {
@@ -129,7 +147,7 @@ void Path::pass_boundary(const Vec3& normal, double eta) {
     }
     const double cos_out = std::sqrt(std::max(0.0, 1 - eta * eta * (1 - cos_in * cos_in)));
     ray_.direction = normalized(ray_.direction * eta + normal * (eta * cos_in - cos_out));
-    inside_[static_cast<std::size_t>(sphere_)].flip();
+    if (surface_.sphere >= 0) inside_[static_cast<std::size_t>(surface_.sphere)].flip();
 }
 
 bool reach_matte(Path& path, int path_length, PathSample& sample) {
@@ -148,6 +166,7 @@ OracleResult sample_paths(const Scene& scene, const OracleJob& job,
                           const std::function<PathSample(Path&)>& gather) {
     const CameraFrame camera(scene.camera, job.size);
     const InsideSet around_camera = spheres_around(scene, scene.camera.position);
+    const Facets facets(scene);
     return sample_pixels(job, [&](int x, int y) {
         const auto pixel = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(job.size.width) +
                            static_cast<std::uint64_t>(x);
@@ -156,7 +175,8 @@ OracleResult sample_paths(const Scene& scene, const OracleJob& job,
         for (int i = 0; i < job.spp; ++i) {
             const double u = (x + (job.pixel_centres ? 0.5 : random.uniform())) / job.size.width;
             const double v = (y + (job.pixel_centres ? 0.5 : random.uniform())) / job.size.height;
-            Path path(scene, around_camera, {scene.camera.position, normalized(camera.toward(u, v))}, random);
+            Path path(scene, facets, around_camera, {scene.camera.position, normalized(camera.toward(u, v))},
+                      random);
             tally.add(gather(path), job.path_length);
         }
         return tally;

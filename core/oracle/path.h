@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/oracle/facets.h"
 #include "core/oracle/oracle.h"
 #include "core/oracle/pixel_tally.h"
 #include "core/oracle/random.h"
@@ -10,20 +11,21 @@ namespace ptb {
 
 /// Which spheres a path is inside of. Only transmission changes it, never a computed distance: so no
 /// tolerance is needed, and rounding can neither lose a path in a wall nor let it meet the surface that it
-/// just left.
+/// just left. (Of triangles the one just left is left out, and the side is where a ray comes from.)
 using InsideSet = std::vector<bool>;
 
 InsideSet spheres_around(const Scene& scene, const Vec3& point);
 
-struct PathRay {
-    Vec3 origin, direction;  ///< direction of unit length
+/// A sphere of the scene, or a triangle of its meshes.
+struct Surface {
+    int sphere = -1, facet = -1;
 };
 
 /// One path, from the camera on. Holds what it carries from surface to surface.
 class Path {
   public:
-    Path(const Scene& scene, InsideSet inside, const PathRay& ray, SplitMix64& random)
-        : scene_(scene), inside_(std::move(inside)), ray_(ray), random_(random) {}
+    Path(const Scene& scene, const Facets& facets, InsideSet inside, const PathRay& ray, SplitMix64& random)
+        : scene_(scene), facets_(facets), inside_(std::move(inside)), ray_(ray), random_(random) {}
 
     /// Goes to the nearest surface, of which the questions below are then asked. False where there is none.
     bool advance();
@@ -37,18 +39,19 @@ class Path {
     const Vec3& throughput() const { return throughput_; }
     /// What the surface sends along the path to the camera.
     Vec3 emitted() const { return throughput_ * material().radiance; }
-    /// No surface lies between here and a point, those of `lamp` left out.
-    bool sees(const Vec3& point, int lamp) const;
+    /// No surface lies between here and a point, `lamp` left out.
+    bool sees(const Vec3& point, const Surface& lamp) const;
 
   private:
-    const Sphere& surface() const { return scene_.spheres[static_cast<std::size_t>(sphere_)]; }
-    bool is_inside() const { return inside_[static_cast<std::size_t>(sphere_)]; }
+    Vec3 outwards() const;
+    bool is_inside() const;
     void pass_boundary(const Vec3& normal, double eta);
 
     const Scene& scene_;
+    const Facets& facets_;
     InsideSet inside_;
     PathRay ray_;
-    int sphere_ = -1;
+    Surface surface_;  ///< that the path is on
     Vec3 throughput_ = {1, 1, 1};
     SplitMix64& random_;
 };

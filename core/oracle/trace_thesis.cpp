@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "core/oracle/camera_frame.h"
@@ -97,6 +98,7 @@ PathSample trace_path(const Scene& scene, Ray ray, int path_length, ParkMiller& 
 }  // namespace
 
 OracleResult trace_thesis(const Scene& scene, const OracleJob& job) {
+    if (!scene.meshes.empty()) throw std::invalid_argument("trace_thesis sees spheres alone");
     const CameraFrame camera(scene.camera, job.size);
     return sample_pixels(job, [&](int x, int y) {
         const auto pixel = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(job.size.width) +

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -10,10 +11,11 @@ namespace {
 
 /// A lamp as a point.
 struct LampPoint {
-    int sphere = 0;
+    Surface lamp;
     Vec3 position;
-    Vec3 intensity;            ///< radiant, in every direction that it lights
+    Vec3 intensity;            ///< radiant, in every direction that it lights, or along a flat lamp's normal
     std::optional<Vec3> axis;  ///< of a sunk lamp, which lights the half space before it alone
+    std::optional<Vec3> normal;  ///< of a flat lamp, which lights both half spaces by the cosine
 };
 
 /// The part of a sphere on one side of a plane: its height along a unit axis, which points to its middle.
@@ -50,8 +52,19 @@ Cap smallest_cap(const Scene& scene, std::size_t lamp, const InsideSet& around_c
 /// from the middle of the cap that shows into the hemisphere around its axis.
 LampPoint as_point(const Sphere& lamp, int number, const Vec3& radiance, const Cap& shown) {
     const double a = lamp.radius, area = 2 * std::numbers::pi * a * shown.height;
-    if (shown.height == 2 * a) return {number, lamp.centre, radiance * (area / 4), std::nullopt};
-    return {number, lamp.centre + shown.axis * a, radiance * (area / 2), shown.axis};
+    if (shown.height == 2 * a) return {{number, -1}, lamp.centre, radiance * (area / 4), {}, {}};
+    return {{number, -1}, lamp.centre + shown.axis * a, radiance * (area / 2), shown.axis, {}};
+}
+
+/// Each triangle that glows.
+void add_flat_lamps(const Scene& scene, std::vector<LampPoint>& points) {
+    const Facets facets(scene);
+    for (int i = 0; i < facets.count(); ++i) {
+        const Facet& facet = facets[i];
+        const Vec3& radiance = scene.materials[static_cast<std::size_t>(facet.material)].radiance;
+        if (radiance == Vec3{}) continue;
+        points.push_back({{-1, i}, facet.centroid(), radiance * facet.area(), {}, facet.normal});
+    }
 }
 
 /// Lamps that the camera is in are seen from there, and light nothing.
@@ -65,6 +78,7 @@ std::vector<LampPoint> lamp_points(const Scene& scene) {
         points.push_back(
             as_point(sphere, static_cast<int>(i), radiance, smallest_cap(scene, i, around_camera)));
     }
+    add_flat_lamps(scene, points);
     return points;
 }
 
@@ -73,9 +87,10 @@ Vec3 lit_by(const LampPoint& lamp, const Path& path) {
     const Vec3 way = lamp.position - path.position();
     const double cos_in = dot(normalized(way), path.normal());
     const bool behind = lamp.axis && dot(way, *lamp.axis) >= 0;
-    if (cos_in <= 0 || behind || !path.sees(lamp.position, lamp.sphere)) return {};
+    if (cos_in <= 0 || behind || !path.sees(lamp.position, lamp.lamp)) return {};
+    const double cos_out = lamp.normal ? std::abs(dot(normalized(way), *lamp.normal)) : 1;
     return path.throughput() * path.material().albedo * lamp.intensity *
-           (cos_in / (std::numbers::pi * dot(way, way)));
+           (cos_in * cos_out / (std::numbers::pi * dot(way, way)));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/image/image.h"
@@ -41,6 +42,8 @@ struct Film {
     std::uint64_t segments = 0;
     std::uint64_t shadow_rays = 0;  ///< beside the segments, of integrators that have them
     std::optional<std::uint64_t> full_length_paths;
+    std::uint64_t light_segments = 0;  ///< beside them too, of paths that start at lamps
+    std::string hash;                  ///< of its bits on the device (FilmHash)
 };
 
 /// One scene being rendered on one device: buffers, kernels and how far it has come. Work is done in steps

@@ -42,6 +42,10 @@ const std::vector<VariantAxis>& variant_axes() {
                                  {"off", "albedo"}),
         axis<&Variant::build>("build", "how freely the compiler may treat arithmetic",
                               {"default", "strict", "relaxed"}),
+        axis<&Variant::bvh>("bvh", "tree of a scene's triangles: two children a node, or eight",
+                            {"auto", "bvh2", "wide8"}),
+        axis<&Variant::bvh_split>("bvh_split", "how it is built: xyz parts boxes by place alone, not by size",
+                                  {"spatial", "sah", "spatial_xyz", "sah_xyz"}),
     };
     return axes;
 }
@@ -49,6 +53,12 @@ const std::vector<VariantAxis>& variant_axes() {
 bool is_variant_axis(const std::string& name) {
     const auto& axes = variant_axes();
     return std::any_of(axes.begin(), axes.end(), [&](const VariantAxis& axis) { return axis.name == name; });
+}
+
+const std::string& variant_value(const std::string& axis, const Variant& variant) {
+    const auto& axes = variant_axes();
+    return std::find_if(axes.begin(), axes.end(), [&](const VariantAxis& each) { return each.name == axis; })
+        ->value_of(variant);
 }
 
 Variant of_image(const Variant& variant) { return launched_as(variant, {}); }

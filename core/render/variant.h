@@ -15,6 +15,8 @@ enum class PixelFilter { jitter, centre, stratified };
 enum class Rng { automatic, hash, park_miller };
 enum class Roulette { off, albedo };
 enum class BuildMode { standard, strict, relaxed };
+enum class Bvh { automatic, bvh2, wide8 };
+enum class BvhSplit { spatial, sah, spatial_xyz, sah_xyz };
 
 /// How an integrator's work is expressed in OpenCL, beyond lanes and work-groups: the choices that the 2016
 /// thesis discusses. Which of them an integrator has, it says itself (`Integrator::refusal`).
@@ -28,6 +30,8 @@ struct Variant {
     Rng rng = Rng::automatic;
     Roulette roulette = Roulette::off;  ///< albedo: paths go on with what a surface reflects as chance
     BuildMode build = BuildMode::standard;
+    Bvh bvh = Bvh::automatic;                ///< how the tree of a scene's meshes lies in memory
+    BvhSplit bvh_split = BvhSplit::spatial;  ///< how it is built; xyz: boxes are not parted by size
     auto operator<=>(const Variant&) const = default;
 };
 
@@ -41,6 +45,8 @@ struct VariantAxis {
 };
 
 const std::vector<VariantAxis>& variant_axes();
+/// The value of the axis of this name.
+const std::string& variant_value(const std::string& axis, const Variant& variant);
 bool is_variant_axis(const std::string& name);
 
 /// The part that an image depends on: launched as usual, film in a buffer.

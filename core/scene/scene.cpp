@@ -1,7 +1,5 @@
 #include "core/scene/scene.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -12,49 +10,16 @@
 
 #include "core/input/json.h"
 #include "core/input/nearest.h"
-#include "core/input/printable.h"
+#include "core/scene/mesh_entries.h"
+#include "core/scene/node.h"
 
 namespace ptb {
 namespace {
 
-/// What a number may be; `text` says it to people.
-struct Range {
-    double least, most;
-    std::string text;
-};
+using namespace scene_json;
 
-/// One value of the file and where it stands.
-struct Node {
-    const Json& json;
-    Where where;
-
-    Node at(const std::string& key) const { return {member(json, where, key), Where(where, key)}; }
-    [[noreturn]] void refuse(const std::string& allowed) const { where.refuse(json, allowed); }
-};
-
-double read_number(const Node& node, const Range& range) {
-    const double number = node.json.is_number() ? node.json.get<double>() : NAN;
-    if (!(number >= range.least && number <= range.most)) node.refuse(range.text);
-    return number;
-}
-
-Vec3 read_vec3(const Node& node, const Range& range) {
-    if (!node.json.is_array() || node.json.size() != 3) node.refuse("three numbers; " + range.text);
-    std::array<double, 3> parts{};
-    for (std::size_t i = 0; i < 3; ++i) parts[i] = read_number({node.json[i], Where(node.where, i)}, range);
-    return {parts[0], parts[1], parts[2]};
-}
-
-std::string read_text(const Node& node, const std::string& allowed) {
-    if (!node.json.is_string()) node.refuse(allowed);
-    return node.json.get<std::string>();
-}
-
-// The largest length, so that its square still fits the devices' single precision.
-constexpr double largest = 1e18;
 constexpr double tiny = std::numeric_limits<double>::min();
 
-const Range coordinate_range = {-largest, largest, "a finite number, at most 1e18 from zero"};
 const Range radius_range = {1e-18, largest, "a finite number > 0 (from 1e-18 to 1e18)"};
 const Range share_range = {0, 1, "a share of light in [0, 1]"};
 const Range radiance_range = {0, largest, "a finite number >= 0, at most 1e18"};
@@ -65,7 +30,7 @@ const Range fov_range = {tiny, std::nextafter(180.0, 0.0), "an angle between 0 a
 std::string read_name(const Node& node) {
     const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
     const std::string rule = "1 to 64 letters, digits, '_', '-' or '.', the first one no '-' or '.'";
-    const std::string name = read_text(node, rule);
+    const std::string name = node.text(rule);
     if (name.empty() || name.size() > 64 || letters.find(name[0]) == std::string::npos ||
         name.find_first_not_of(letters + "-.") != std::string::npos)
         node.refuse(rule);
@@ -133,7 +98,7 @@ Material read_material(const std::string& name, const Node& node) {
     for (const MaterialReader& reader : material_readers) words.push_back(reader.word);
     const std::string rule = fmt::format("one of {}", fmt::join(words, ", "));
     const Node type = node.at("type");
-    const std::string word = read_text(type, rule);
+    const std::string word = type.text(rule);
     for (const MaterialReader& reader : material_readers) {
         if (reader.word != word) continue;
         Material material = reader.read(node);
@@ -152,32 +117,10 @@ std::vector<Material> read_materials(const Node& node) {
     return materials;
 }
 
-/// The scene's materials by name.
-using MaterialIndex = std::map<std::string, int>;
-
-MaterialIndex index_of(const std::vector<Material>& materials) {
-    MaterialIndex index;
-    for (const Material& material : materials) index.emplace(material.name, static_cast<int>(index.size()));
-    return index;
-}
-
-[[noreturn]] void refuse_material(const Node& node, const std::vector<Material>& materials) {
-    std::vector<std::string> names;
-    for (const Material& material : materials) names.push_back(material.name);
-    node.refuse(fmt::format("one of the scene's materials: {}",
-                            shortened(printable(fmt::format("{}", fmt::join(names, ", "))), 500)));
-}
-
-int read_material_name(const Node& node, const std::vector<Material>& materials, const MaterialIndex& index) {
-    const auto found = index.find(read_text(node, "the name of a material"));
-    if (found == index.end()) refuse_material(node, materials);
-    return found->second;
-}
-
 /// Refuses spheres in the same place where it would matter which of them a path meets first.
 class Twins {
   public:
-    explicit Twins(const std::vector<Material>& materials) : materials_(materials) {}
+    explicit Twins(const MaterialIndex& materials) : materials_(materials) {}
 
     void add(const Sphere& sphere, std::size_t number, const Where& where) {
         const Vec3& c = sphere.centre;
@@ -196,25 +139,24 @@ class Twins {
     };
     /// Light is asked of emitters by their number, and glass changes sides.
     bool matters(const Sphere& sphere) const {
-        const MaterialType type = materials_[static_cast<std::size_t>(sphere.material)].type;
+        const MaterialType type = materials_[sphere.material].type;
         return type == MaterialType::dielectric || type == MaterialType::emitter;
     }
 
-    const std::vector<Material>& materials_;
+    const MaterialIndex& materials_;
     std::map<std::tuple<double, double, double, double>, Seen> seen_;
 };
 
-std::vector<Sphere> read_spheres(const Node& node, const std::vector<Material>& materials) {
+std::vector<Sphere> read_spheres(const Node& node, const MaterialIndex& materials) {
     std::vector<Sphere> spheres;
-    if (!node.json.is_array() || node.json.empty()) node.refuse("a list of at least one sphere");
-    const MaterialIndex index = index_of(materials);
+    if (!node.json.is_array()) node.refuse("a list of spheres");
     Twins twins(materials);
     for (std::size_t i = 0; i < node.json.size(); ++i) {
-        const Node sphere{node.json[i], Where(node.where, i)};
+        const Node sphere = node.at(i);
         allow_only(sphere.json, sphere.where, {"centre", "radius", "material"});
         spheres.push_back({read_vec3(sphere.at("centre"), coordinate_range),
                            read_number(sphere.at("radius"), radius_range),
-                           read_material_name(sphere.at("material"), materials, index)});
+                           materials.read(sphere.at("material"))});
         twins.add(spheres.back(), i, sphere.where);
     }
     return spheres;
@@ -222,18 +164,31 @@ std::vector<Sphere> read_spheres(const Node& node, const std::vector<Material>& 
 
 }  // namespace
 
-Scene parse_scene(std::string_view json_text, const std::string& origin) {
+std::size_t triangle_count(const Scene& scene) {
+    std::size_t count = 0;
+    for (const Mesh& mesh : scene.meshes) count += mesh.faces.size();
+    return count;
+}
+
+Scene parse_scene(std::string_view json_text, const std::string& origin, const MeshReading& reading) {
     const Json json = parse_json(json_text, origin);
     const Node root{json, Where(origin)};
-    allow_only(json, root.where, {"name", "camera", "materials", "spheres"});
+    allow_only(json, root.where, {"name", "camera", "materials", "spheres", "meshes"});
     Scene scene;
     scene.name = read_name(root.at("name"));
     scene.camera = read_camera(root.at("camera"));
     scene.materials = read_materials(root.at("materials"));
-    scene.spheres = read_spheres(root.at("spheres"), scene.materials);
+    const MaterialIndex materials(scene.materials);
+    scene.spheres = read_spheres(root.at("spheres"), materials);
+    if (root.has("meshes")) scene.meshes = read_meshes(root.at("meshes"), materials, reading);
+    if (scene.spheres.empty() && scene.meshes.empty())
+        root.at("spheres").refuse("a list of at least one sphere, or else \"meshes\"");
     return scene;
 }
 
-Scene load_scene(const std::filesystem::path& file) { return parse_scene(read_text(file), file.string()); }
+Scene load_scene(const std::filesystem::path& file, MeshReading reading) {
+    reading.folder = file.parent_path();
+    return parse_scene(read_text(file), file.string(), reading);
+}
 
 }  // namespace ptb

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/mesh/mesh.h"
 #include "core/scene/vec3.h"
+#include "core/tree/shelf.h"
 
 namespace ptb {
 
@@ -35,18 +40,33 @@ struct Camera {
     double fov_deg = 40;
 };
 
-/// A scene as its file states it: spheres in the file's order, lengths in scene units.
+/// A scene as its file states it: spheres and meshes in the file's order, lengths in scene units.
 struct Scene {
     std::string name;
     Camera camera;
     std::vector<Material> materials;
     std::vector<Sphere> spheres;
+    std::vector<Mesh> meshes = {};
+    std::shared_ptr<TreeShelf> trees = std::make_shared<TreeShelf>();  ///< of the meshes; copies share them
+};
+
+/// Of all meshes; they are numbered through, mesh by mesh.
+std::size_t triangle_count(const Scene& scene);
+
+/// How the meshes of a scene are read.
+struct MeshReading {
+    std::filesystem::path folder = {};          ///< files are relative to it
+    std::uint64_t most_triangles = 20'000'000;  ///< of a scene
+    /// Before a mesh's file is read, and while it is: its name, bytes of memory that this takes, the share
+    /// that is done.
+    std::function<void(const std::string& name, std::uint64_t memory_bytes, double done)> on_file = {};
 };
 
 /// Reads a scene from JSON text; `origin` names it in errors. Unknown keys are errors. Throws UsageError.
-Scene parse_scene(std::string_view json_text, const std::string& origin);
+Scene parse_scene(std::string_view json_text, const std::string& origin, const MeshReading& reading = {});
 
-/// Reads a scene file. Throws UsageError, also when the file cannot be read.
-Scene load_scene(const std::filesystem::path& file);
+/// Reads a scene file, and the files of its meshes, which are relative to its folder. Throws UsageError, also
+/// when one cannot be read.
+Scene load_scene(const std::filesystem::path& file, MeshReading reading = {});
 
 }  // namespace ptb

@@ -1,14 +1,20 @@
-/* The kernels of an integrator, whose file includes this last. It has defined INTEGRATOR, its name, and
+/* The kernels of an integrator, whose file includes this last, after the loop that keeps its lanes busy. It has defined
+   INTEGRATOR, its name, and for engine/trace.h
 
-       lanes_mask trace_segment(const World*, Path*, lanes_mask alive, uint turn, lanes_u* face COUNTED_PARAMETER)
-           traces the next segment of every path; returns the lanes whose path ends there, and the faces met
+       lanes_mask trace_segment(const World*, Path*, const Hit*, lanes_mask alive, uint turn COUNTED_PARAMETER)
+           traces the next segment of every path, which ends at this hit; returns the lanes whose path does so, too
        Vec gathered_radiance(const World*, const Path*, lanes_u face)
-           what a path is worth that ended there */
+           what a path is worth that ended there
+
+   or for engine/sample.h, with ENGINE_SPLATS,
+
+       lanes_mask trace_sample(const World*, const Picture*, Path*, lanes_mask alive, Traced* COUNTED_PARAMETER)
+           traces what belongs to the samples of these camera paths, which gather their radiance; returns the lanes whose
+           camera path reached its full length */
 #ifndef PTB_ENGINE_KERNELS_H
 #define PTB_ENGINE_KERNELS_H
 
 #include "engine/film.h"
-#include "engine/trace.h"
 
 #define KERNEL(verb) SCENE_PASTE(INTEGRATOR, _##verb)
 
@@ -21,11 +27,19 @@
 #define ENGINE_COPY_STEP 1u
 #endif
 
-/* Traces the launch's units; see engine/trace.h. */
+#ifdef ENGINE_SPLATS
+#define ENGINE_SPLATS_PARAMETER , __global Splat* splats
+#define ENGINE_SPLATS_ARGUMENT , splats
+#else
+#define ENGINE_SPLATS_PARAMETER
+#define ENGINE_SPLATS_ARGUMENT
+#endif
+
+/* Traces the launch's units; see engine/trace.h and engine/sample.h. */
 __kernel void KERNEL(render)(__global Tally* tallies, __global uint* queues, SCENE_SPHERE_BUFFER const SceneSphere* spheres,
                              SCENE_SURFACE_BUFFER const SceneSurface* surfaces, __global const uint* camera_sides,
                              __global const uint* run_starts, __global const SceneLamp* lamps, const SceneFewSpheres few,
-                             const EngineLaunch launch COUNTED_ROWS) {
+                             SCENE_TREE_PARAMETERS const EngineLaunch launch ENGINE_SPLATS_PARAMETER COUNTED_ROWS) {
     COUNTED_BEGIN
     (void)spheres, (void)few;
 #if SCENE_SPHERES == SCENE_IN_ARGUMENT
@@ -45,7 +59,8 @@ __kernel void KERNEL(render)(__global Tally* tallies, __global uint* queues, SCE
 #if SCENE_SPHERES == SCENE_IN_LOCAL || SCENE_SURFACES == SCENE_IN_LOCAL
     barrier(CLK_LOCAL_MEM_FENCE);
 #endif
-    trace_units(tallies, queues + launch.slice, all, rows, camera_sides, run_starts, lamps, launch COUNTED_ARGUMENT);
+    trace_units(tallies, queues + launch.slice, all, rows, camera_sides, run_starts, lamps,
+                SCENE_TREE_ARGUMENTS launch ENGINE_SPLATS_ARGUMENT COUNTED_ARGUMENT);
     COUNTED_END
 }
 

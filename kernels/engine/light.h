@@ -20,24 +20,51 @@ static inline void gather_met(const World* world, Path* path, lanes_u face, lane
     path->radiance = vec_mul_add(path->radiance, path->throughput, radiance);
 }
 
-/* The share of the radiance met, `distance` along the ray, that is not gather_lamp's: by the balance heuristic, see "Optimally
-   Combining Sampling Techniques for Monte Carlo Rendering", by Veach and Guibas. */
-static inline lanes_f share_of_met(const World* world, const Path* path, lanes_u face, lanes_f distance,
-                                   lanes_mask counts COUNTED_PARAMETER) {
-    (void)counts;
+/* The lanes whose face is one of a lamp that can be asked, and its number. */
+static inline lanes_mask lamp_met(const World* world, lanes_u face, lanes_u* number) {
 #ifdef SCENE_LONE_LAMP
-    const lanes_u number = (lanes_u)(0u);
-    const lanes_mask is_lamp = face == world->lamps.first->face;
+    *number = (lanes_u)(0u);
+    return face == world->lamps.first->face;
 #else
     const lanes_u next = lamp_of_face(&world->surfaces, face);
     const lanes_mask is_lamp = next != 0u;
-    const lanes_u number = next - lanes_select_u((lanes_u)(0u), (lanes_u)(1u), is_lamp);
+    *number = next - lanes_select_u((lanes_u)(0u), (lanes_u)(1u), is_lamp);
+    return is_lamp;
 #endif
-    if (!lanes_any(is_lamp)) return (lanes_f)(1.0f);
-    const Density density = density_of_way(&world->lamps, number, &path->ray, distance, counts & is_lamp COUNTED_ARGUMENT);
-    COUNTED_LANES(counts & is_lamp, LIGHT_SHARE_WORK)
+}
+
+/* The share of a way found by the path beside the density with which a lamp is asked for the same. */
+static inline lanes_f share_beside(const Path* path, Density density) {
     const lanes_f whole = density.whole + 1e-30f; /* of a path that had no choice: 1, even at a cap's horizon */
-    return lanes_select((lanes_f)(1.0f), whole / (whole + path->inverse_density * density.part), is_lamp);
+    return whole / (whole + path->inverse_density * density.part);
+}
+
+#ifdef SCENE_TREE
+static inline float share_of_triangle(const World* world, const Path* path, const Hit* hit COUNTED_PARAMETER) {
+    COUNTED(1u, LIGHT_SHARE_WORK)
+    COUNTED(1u, LIGHT_TRIANGLE_WORK)
+    const float distance = hit_distance(hit), asked = density_asked(&world->surfaces, hit_face(hit));
+    const Density density = {asked * distance * distance, fabs(vec_dot(path->ray.direction, hit->normal))};
+    return share_beside(path, density);
+}
+#endif
+
+/* The share of the radiance met that is not gather_lamp's: by the balance heuristic, see "Optimally Combining Sampling
+   Techniques for Monte Carlo Rendering", by Veach and Guibas. */
+static inline lanes_f share_of_met(const World* world, const Path* path, const Hit* hit, lanes_mask counts COUNTED_PARAMETER) {
+    (void)counts;
+    const lanes_u face = hit_face(hit);
+    const lanes_f distance = hit_distance(hit);
+#ifdef SCENE_TREE
+    if (hit->triangle != TREE_NOTHING) return share_of_triangle(world, path, hit COUNTED_ARGUMENT);
+#endif
+    lanes_u number;
+    const lanes_mask is_lamp = lamp_met(world, face, &number);
+    if (!lanes_any(is_lamp)) return (lanes_f)(1.0f);
+    const Lamp lamp = lamp_of(&world->lamps, number);
+    const Density density = density_of_way(&lamp, &path->ray, distance, counts & is_lamp COUNTED_ARGUMENT);
+    COUNTED_LANES(counts & is_lamp, LIGHT_SHARE_WORK)
+    return lanes_select((lanes_f)(1.0f), share_beside(path, density), is_lamp);
 }
 
 /* Adds `radiance`, from a lamp's face along `direction`, to what these matte hits send back, if nothing is between. */
@@ -49,14 +76,14 @@ static inline void gather_unless_shadowed(const World* world, Path* path, lanes_
     COUNTED_LANES(counts & lit, LIGHT_SENT_WORK)
     Ray shadow = path->ray;
     shadow.direction = direction;
-    const lanes_mask seen = lit & sees(world->scene, &shadow, &path->inside, distance, face);
+    const lanes_mask seen = lit & sees(world->scene, &shadow, &path->inside, distance, face COUNTED_ARGUMENT);
     path->radiance = vec_select(path->radiance, vec_mul_add(path->radiance, path->throughput, radiance), seen);
     path->shadow_rays += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), lit);
 }
 
 /* The unit normal on the path's side of matte hits. */
 static inline Vec matte_normal(const Path* path, const Surface* surface) {
-    return vec_scale(vec_sub(path->ray.origin, surface->centre), surface->matte);
+    return vec_scale(from_centre(&path->ray, surface->centre), surface->matte);
 }
 
 /* Next-event estimation: adds the light of a lamp at these matte hits. The bounce that follows finds the lamp, too, with
@@ -65,7 +92,7 @@ static inline void gather_lamp(const World* world, Path* path, const Surface* su
                                lanes_mask counts COUNTED_PARAMETER) {
     const LampDraw draw = draw_lamp(&path->random);
     if (!lanes_any(matte)) return;
-    const LampSample lamp = sample_lamp(&world->lamps, path->ray.origin, &draw, counts & matte COUNTED_ARGUMENT);
+    const LampSample lamp = sample_lamp(world->scene, &world->lamps, path->ray.origin, &draw, counts & matte COUNTED_ARGUMENT);
     COUNTED_LANES(counts & matte, LIGHT_COSINE_WORK)
     const lanes_f cosine = vec_dot(matte_normal(path, surface), lamp.direction);
     const lanes_mask lit = matte & (cosine > 0.0f) & (lamp.density.whole > 0.0f);

@@ -44,6 +44,9 @@ static inline Path no_path(void) {
     path.random = random_none();
     path.last_turn = none;
     for (uint i = 0; i < SCENE_SIDE_WORDS; ++i) path.inside.word[i] = none;
+#ifdef SCENE_TREE
+    path.ray.left = TREE_NOTHING;
+#endif
     return path;
 }
 

@@ -7,16 +7,6 @@
 
 #include "engine/unit.h"
 #include "engine/work.h"
-#include "lib/outlined.h"
-
-/* One lane a work-item keeps its loop in the kernel. A function that reads local memory PoCL compiles to a crash (3.1). */
-#if PTB_LANES > 1 && SCENE_SPHERES != SCENE_IN_LOCAL && SCENE_SURFACES != SCENE_IN_LOCAL
-#define ENGINE_OUTLINE OUTLINED
-#define ENGINE_STAY_OUTLINED STAY_OUTLINED
-#else
-#define ENGINE_OUTLINE static inline
-#define ENGINE_STAY_OUTLINED (void)0
-#endif
 
 /* Segments that a lone lane traces before it looks after its paths' ends. On GPUs the lanes of a warp end one by one, and
    all wait while one starts anew: better that the ended ones wait for each other. 1: 3.02, 6: 3.47 Gsamples/s (H200). */
@@ -24,35 +14,40 @@
 #define ENGINE_BATCH 1
 #endif
 
+/* Every turn traces a segment of every path. */
+static inline Traced traced_by(const Path* path, uint turn) {
+    Traced traced = traced_nothing();
+    traced.segments = (lanes_u)(turn);
+    traced.shadow_rays = shadow_rays_of(path);
+    return traced;
+}
+
 ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queue, SCENE_SPHERE_SPACE const SceneSphere* spheres,
                                 SCENE_SURFACE_SPACE const SceneSurface* surface_rows, __global const uint* camera_sides,
                                 __global const uint* run_starts, __global const SceneLamp* lamps,
-                                EngineLaunch launch COUNTED_PARAMETER) {
+                                SCENE_TREE_PARAMETERS EngineLaunch launch COUNTED_PARAMETER) {
     ENGINE_STAY_OUTLINED;
-#ifdef SCENE_FEW
-    const uint opaque = SCENE_OPAQUE, count = SCENE_FEW;
-#else
-    const uint opaque = launch.opaque_spheres, count = opaque + launch.two_sided_spheres;
-#endif
-    Scene scene = {spheres, opaque, count, 0u};
-    const Start start = {(SCENE_SURFACE_SPACE const SceneStart*)&surface_rows[background(scene) + 1u], camera_sides};
-    scene.distance_mask = start.row->distance_mask;
-    const World world = {scene, surfaces_of(surface_rows, background(scene)), {&launch.lamp, lamps, launch.lamps}};
+    const World world = world_of(spheres, surface_rows, lamps, SCENE_TREE_ARGUMENTS &launch);
+    const Start start = start_of(&world, surface_rows, camera_sides);
     Unit unit = no_unit();
     Path path = no_path();
     Spare spare = no_spare();
-    lanes_mask alive = take_units(&unit, &path, lanes_all(), 0u, queue, run_starts, &launch);
+    lanes_mask alive = take_units(&unit, traced_by(&path, 0u), lanes_all(), queue, run_starts, &launch);
     COUNTED_LANES(lanes_all(), ENGINE_TAKE_WORK)
     refill(&spare, &unit, &launch);
     start_spares(&path, &spare, alive, 0u, start, &launch);
 
     uint turn = 0u;
+    Meeting meeting = begin_meeting(world.scene, &path.ray, &path.inside COUNTED_ARGUMENT);
     while (lanes_any(alive)) {
+        if (!go_on(world.scene, &meeting COUNTED_ARGUMENT)) continue;
         lanes_u face;
         lanes_mask ends;
         const uint stop = uint_hold(min(turn + ENGINE_BATCH, LANE(path.last_turn, 0)));
         do {
-            ends = trace_segment(&world, &path, alive, turn, &face COUNTED_ARGUMENT);
+            const Hit hit = end_meeting(world.scene, &path.ray, &path.inside, &meeting COUNTED_ARGUMENT);
+            face = hit_face(&hit);
+            ends = trace_segment(&world, &path, &hit, alive, turn COUNTED_ARGUMENT);
             turn = uint_hold(turn + 1u);
         } while (ENGINE_BATCH > 1 && turn < stop && !lanes_any(ends));
         const lanes_mask full = lanes_hold(turn >= path.last_turn);
@@ -70,17 +65,18 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queue, S
                 unit.counts += lanes_select_u((lanes_u)(0u), (lanes_u)(ENGINE_FULL_LENGTH), full);
                 const lanes_mask finished = lacking & (unit.sample == unit.end);
                 if (lanes_any(finished)) {
-                    write_units(&unit, &path, finished, turn, tallies);
+                    write_units(&unit, traced_by(&path, turn), finished, tallies);
                     COUNTED_LANES(alive & finished, ENGINE_UNIT_WORK)
                     COUNTED_LANES(alive & finished, ENGINE_TAKE_WORK)
                     if (PTB_LANES == 1) turn = 0u; /* so its unit's first turn needs no register */
-                    alive &= !finished | take_units(&unit, &path, finished, turn, queue, run_starts, &launch);
+                    alive &= !finished | take_units(&unit, traced_by(&path, turn), finished, queue, run_starts, &launch);
                 }
                 refill(&spare, &unit, &launch);
             }
             spare.radiance = vec_select(spare.radiance, radiance, ended);
             start_spares(&path, &spare, ended, turn, start, &launch);
         }
+        meeting = begin_meeting(world.scene, &path.ray, &path.inside COUNTED_ARGUMENT);
     }
 }
 

@@ -3,7 +3,55 @@
 #define PTB_ENGINE_UNIT_H
 
 #include "engine/path.h"
+#include "lib/outlined.h"
 #include "shared/engine.h"
+
+/* One lane a work-item keeps its loop in the kernel, unless it is alone on a CPU, as it is among triangles: ENGINE_ALONE. A
+   function that reads local memory PoCL compiles to a crash (3.1). */
+#if (PTB_LANES > 1 || defined(ENGINE_ALONE)) && SCENE_SPHERES != SCENE_IN_LOCAL && SCENE_SURFACES != SCENE_IN_LOCAL
+#define ENGINE_OUTLINE OUTLINED
+#define ENGINE_STAY_OUTLINED STAY_OUTLINED
+#else
+#define ENGINE_OUTLINE static inline
+#define ENGINE_STAY_OUTLINED (void)0
+#endif
+
+/* Rays that each lane traced, ever. */
+typedef struct Traced {
+    lanes_u segments, shadow_rays;
+#ifdef ENGINE_SPLATS
+    lanes_u light_segments;
+#endif
+} Traced;
+
+static inline Traced traced_nothing(void) {
+    Traced traced;
+    traced.segments = traced.shadow_rays = (lanes_u)(0u);
+#ifdef ENGINE_SPLATS
+    traced.light_segments = (lanes_u)(0u);
+#endif
+    return traced;
+}
+
+static inline Traced traced_since(const Traced* now, const Traced* then) {
+    Traced traced;
+    traced.segments = now->segments - then->segments;
+    traced.shadow_rays = now->shadow_rays - then->shadow_rays;
+#ifdef ENGINE_SPLATS
+    traced.light_segments = now->light_segments - then->light_segments;
+#endif
+    return traced;
+}
+
+static inline Traced traced_select(const Traced* if_false, const Traced* if_true, lanes_mask mask) {
+    Traced traced;
+    traced.segments = lanes_select_u(if_false->segments, if_true->segments, mask);
+    traced.shadow_rays = lanes_select_u(if_false->shadow_rays, if_true->shadow_rays, mask);
+#ifdef ENGINE_SPLATS
+    traced.light_segments = lanes_select_u(if_false->light_segments, if_true->light_segments, mask);
+#endif
+    return traced;
+}
 
 /* The unit each lane works on, and its sums so far. */
 typedef struct Unit {
@@ -13,7 +61,7 @@ typedef struct Unit {
     lanes_u sample, end; /* the next one to start, and the one after the last */
     lanes_u counts; /* its samples, and ENGINE_FULL_LENGTH times its paths of full length */
     lanes_u taken;  /* units so far, with ENGINE_BOUNDED */
-    lanes_u first_turn, first_shadow_ray;
+    Traced before; /* it */
     Vec sum, squares;
 } Unit;
 
@@ -30,7 +78,7 @@ static inline Unit no_unit(void) {
     const Vec zero = vec_of((float4)(0.0f));
     const lanes_f nowhere = (lanes_f)(0.0f);
     const lanes_u none = (lanes_u)(0u);
-    const Unit unit = {none, none, nowhere, nowhere, none, none, none, none, none, none, zero, zero};
+    const Unit unit = {none, none, nowhere, nowhere, none, none, none, none, traced_nothing(), zero, zero};
     return unit;
 }
 
@@ -43,7 +91,7 @@ static inline Spare no_spare(void) {
 }
 
 /* Gives each wanting lane the next unit of the queue; returns the lanes that got one. */
-static inline lanes_mask take_units(Unit* unit, const Path* path, lanes_mask wanting, uint turn, volatile __global uint* queue,
+static inline lanes_mask take_units(Unit* unit, Traced traced, lanes_mask wanting, volatile __global uint* queue,
                                     __global const uint* run_starts, const EngineLaunch* launch) {
     lanes_mask may = wanting;
 #ifdef ENGINE_BOUNDED
@@ -69,8 +117,7 @@ static inline lanes_mask take_units(Unit* unit, const Path* path, lanes_mask wan
     unit->sample = lanes_select_u(unit->sample, first, got);
     unit->end = lanes_select_u(unit->end, end, got);
     unit->counts = lanes_select_u(unit->counts, end - first, got);
-    unit->first_turn = lanes_select_u(unit->first_turn, (lanes_u)(turn), got);
-    unit->first_shadow_ray = lanes_select_u(unit->first_shadow_ray, shadow_rays_of(path), got);
+    unit->before = traced_select(&unit->before, &traced, got);
     const Vec zero = vec_of((float4)(0.0f));
     unit->sum = vec_select(unit->sum, zero, wanted);
     unit->squares = vec_select(unit->squares, zero, wanted);
@@ -84,8 +131,8 @@ static inline void add_samples(Unit* unit, Vec radiance, lanes_mask ended) {
     unit->squares = vec_mul_add(unit->squares, added, added);
 }
 
-static inline void write_units(const Unit* unit, const Path* path, lanes_mask finished, uint turn, __global Tally* tallies) {
-    const lanes_u shadow_rays = shadow_rays_of(path) - unit->first_shadow_ray;
+static inline void write_units(const Unit* unit, Traced now, lanes_mask finished, __global Tally* tallies) {
+    const Traced traced = traced_since(&now, &unit->before);
     for (uint lane = 0; lane < PTB_LANES; ++lane) {
         if (!LANE(finished, lane)) continue;
         Tally tally;
@@ -93,9 +140,9 @@ static inline void write_units(const Unit* unit, const Path* path, lanes_mask fi
         tally.squares =
             (float4)(LANE(unit->squares.x, lane), LANE(unit->squares.y, lane), LANE(unit->squares.z, lane), 0.0f);
         tally.samples = LANE(unit->counts, lane) % ENGINE_FULL_LENGTH;
-        tally.segments = turn - LANE(unit->first_turn, lane);
+        tally.segments = LANE(traced.segments, lane);
         tally.full_length_paths = LANE(unit->counts, lane) / ENGINE_FULL_LENGTH;
-        tally.shadow_rays = LANE(shadow_rays, lane);
+        tally.shadow_rays = LANE(traced.shadow_rays, lane);
         tallies[LANE(unit->number, lane)] = tally;
     }
 }
@@ -139,6 +186,25 @@ typedef struct Start {
     __global const uint* sides; /* all words */
 } Start;
 
+static inline World world_of(SCENE_SPHERE_SPACE const SceneSphere* spheres, SCENE_SURFACE_SPACE const SceneSurface* surface_rows,
+                             __global const SceneLamp* lamps, SCENE_TREE_PARAMETERS const EngineLaunch* launch) {
+#ifdef SCENE_FEW
+    const uint opaque = SCENE_OPAQUE, count = SCENE_FEW;
+#else
+    const uint opaque = launch->opaque_spheres, count = opaque + launch->two_sided_spheres;
+#endif
+    Scene scene = {spheres, opaque, count, 0u SCENE_TREE_MEMBERS};
+    scene.distance_mask = ((SCENE_SURFACE_SPACE const SceneStart*)&surface_rows[background(scene) + 1u])->distance_mask;
+    const World world = {scene, surfaces_of(surface_rows, background(scene)), {&launch->lamp, lamps, launch->lamps}};
+    return world;
+}
+
+static inline Start start_of(const World* world, SCENE_SURFACE_SPACE const SceneSurface* surface_rows,
+                             __global const uint* camera_sides) {
+    const Start start = {(SCENE_SURFACE_SPACE const SceneStart*)&surface_rows[background(world->scene) + 1u], camera_sides};
+    return start;
+}
+
 /* Ends these paths and starts the lanes' spares in their place. */
 static inline void start_spares(Path* path, Spare* spare, lanes_mask ended, uint turn,
                                 Start start, const EngineLaunch* launch) {
@@ -155,6 +221,9 @@ static inline void start_spares(Path* path, Spare* spare, lanes_mask ended, uint
     for (uint i = 1; i < SCENE_SIDE_WORDS; ++i) {
         path->inside.word[i] = lanes_select_u(path->inside.word[i], (lanes_u)(start.sides[i]), ended);
     }
+#ifdef SCENE_TREE
+    if (ended) path->ray.left = TREE_NOTHING;
+#endif
 #ifdef SCENE_CARRIED
     for (uint i = 0; i < SCENE_FEW; ++i) {
         path->ray.gap[i] = lanes_select(path->ray.gap[i], (lanes_f)(start.row->gap[i]), ended);

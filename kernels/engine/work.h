@@ -37,9 +37,13 @@
 #define ENGINE_ADD_WORK 6u, 0u, 0u, (uint)sizeof(Tally)
 #define ENGINE_PIXEL_WORK 0u, 0u, 0u, 2u * (uint)sizeof(FilmPixel)
 
+/* What a sample adds to another pixel: its numbers scaled. */
+#define ENGINE_SPLAT_WORK 3u, 0u, 0u, 0u
+
 /* engine/light.h: what is met, and its share; a lamp's cosine at a surface, the weight of its light, and that light. */
 #define LIGHT_MET_WORK 9u, 0u, 0u, SCENE_SURFACE_BYTES(12u)
 #define LIGHT_SHARE_WORK 3u, 0u, 1u, 0u
+#define LIGHT_TRIANGLE_WORK 7u, 0u, 0u, 0u
 #define LIGHT_COSINE_WORK 11u, 0u, 0u, 0u
 #define LIGHT_WEIGHT_WORK 7u, 0u, 1u, 0u
 #define LIGHT_SENT_WORK 6u, 0u, 0u, 0u
@@ -50,9 +54,11 @@
 #define ENGINE_ROULETTE_WORK 0u, 0u, 0u, 0u
 #endif
 
-/* A segment of every path that is alive, what it gathers aside. */
+/* A segment of every path that is alive, what it gathers aside; and of paths that no picture counts. */
 #define COUNTED_SEGMENT(scene, alive)                                                                    \
     COUNTED_SEGMENTS(counted_lanes(alive))                                                               \
+    COUNTED_RAYS(scene, alive)
+#define COUNTED_RAYS(scene, alive)                                                                       \
     COUNTED(1u, SCENE_STEP_WORK((scene).count))                                                          \
     COUNTED_LANES(alive, SCENE_SEGMENT_WORK(scene))                                                      \
     COUNTED(two_sided_spheres(scene) > 0u ? counted_lanes(alive) : 0u, SCENE_REFRACTION_WORK)            \

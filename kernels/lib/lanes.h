@@ -65,6 +65,24 @@ static inline lanes_mask lanes_all(void) { return (lanes_mask)(-1); }
 
 #endif
 
+/* The lanes of a mask as bits, the first one lowest: by an instruction a register where the machine has it. */
+#if PTB_SIMD == 16 && defined(__AVX512DQ__) && PTB_HAS(__builtin_ia32_cvtd2mask512)
+#define MASK_BITS(part) ((uint)(ushort)__builtin_ia32_cvtd2mask512(part))
+#elif PTB_SIMD == 8 && defined(__AVX__) && PTB_HAS(__builtin_ia32_movmskps256)
+#define MASK_BITS(part) ((uint)__builtin_ia32_movmskps256(as_float8(part)))
+#endif
+static inline uint lanes_bits(lanes_mask mask) {
+#if defined(MASK_BITS) && PTB_LANES == PTB_SIMD
+    return MASK_BITS(mask);
+#elif defined(MASK_BITS) && PTB_LANES == 2 * PTB_SIMD
+    return MASK_BITS(mask.lo) | MASK_BITS(mask.hi) << PTB_SIMD;
+#else
+    uint bits = 0u;
+    for (uint lane = 0; lane < PTB_LANES; ++lane) bits |= (LANE(mask, lane) ? 1u : 0u) << lane;
+    return bits;
+#endif
+}
+
 /* The value, which must be in registers here and which the compiler cannot look through; of use with AVX2 only. There
    masks are whole registers, but LLVM packs one that outlives its block into bytes, and unpacks it at every use: 1.03 (two
    Zen 3 cores, PoCL). */

@@ -83,4 +83,18 @@ static inline void random_next_two(Random* random, lanes_u* u, lanes_u* v) {
 
 #endif
 
+/* Another sequence, for a path that takes as many numbers as its lane happens to trace along with others. */
+static inline Random random_split(Random* random) {
+    lanes_u u, v;
+    random_next_two(random, &u, &v);
+    Random other;
+    other.a = random_mix(u);
+    other.b = random_mix(v ^ 0x9e3779b9u);
+#ifdef PTB_PARK_MILLER
+    other.a = lanes_max_u(lanes_min_u(other.a >> 1, (lanes_u)(PARK_MILLER_MODULUS - 1u)), (lanes_u)(1u));
+    other.b = (lanes_u)(0u);
+#endif
+    return other;
+}
+
 #endif

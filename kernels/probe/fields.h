@@ -8,14 +8,21 @@
 
 #define PTB_SHARED_FIELDS(S, F)                                                                       \
     S(PtbCamera) F(PtbCamera, position) F(PtbCamera, corner) F(PtbCamera, step_x) F(PtbCamera, step_y) \
+    S(PtbPicture) F(PtbPicture, axis_area) F(PtbPicture, across) F(PtbPicture, down)                   \
     S(SceneSphere) F(SceneSphere, centre_k)                                                            \
     S(SceneSurface) F(SceneSurface, centre_matte) F(SceneSurface, weight_eta) F(SceneSurface, radiance) \
-    F(SceneSurface, traits) F(SceneSurface, padding)                                                   \
+    F(SceneSurface, traits) F(SceneSurface, asked)                                                   \
     S(SceneFewSpheres) F(SceneFewSpheres, sphere)                                                      \
     S(SceneStart) F(SceneStart, position_side) F(SceneStart, gap) F(SceneStart, distance_mask)         \
+    S(SceneTriangle) F(SceneTriangle, normal_face)                                                     \
+    S(TreeNode2) F(TreeNode2, low0_link) F(TreeNode2, high0) F(TreeNode2, low1_link) F(TreeNode2, high1) \
+    S(TreeTriangle) F(TreeTriangle, a_number) F(TreeTriangle, b) F(TreeTriangle, c)                    \
+    S(TreeNode8) F(TreeNode8, low) F(TreeNode8, high) F(TreeNode8, link)                               \
+    S(TreeBlock8) F(TreeBlock8, corner) F(TreeBlock8, number)                                          \
     S(SceneLamp) F(SceneLamp, centre_radius) F(SceneLamp, axis_extent) F(SceneLamp, radiance_kept)     \
     F(SceneLamp, middle_sent) F(SceneLamp, chance) F(SceneLamp, cap_density)                           \
-    F(SceneLamp, near_squared) F(SceneLamp, alias) F(SceneLamp, face) F(SceneLamp, padding)            \
+    F(SceneLamp, near_squared) F(SceneLamp, alias) F(SceneLamp, face) F(SceneLamp, place)              \
+    F(SceneLamp, padding)                                                                              \
     S(EngineLaunch) F(EngineLaunch, camera) F(EngineLaunch, width) F(EngineLaunch, inverse_width)      \
     F(EngineLaunch, first_pixel) F(EngineLaunch, pixels) F(EngineLaunch, inverse_pixels)               \
     F(EngineLaunch, first_run) F(EngineLaunch, units) F(EngineLaunch, path_length)                     \
@@ -23,11 +30,12 @@
     F(EngineLaunch, units_per_lane) F(EngineLaunch, first_unit) F(EngineLaunch, slice)                 \
     F(EngineLaunch, strata_columns) F(EngineLaunch, stratum_width) F(EngineLaunch, stratum_height)     \
     F(EngineLaunch, radiance_scale) F(EngineLaunch, squares_scale) F(EngineLaunch, lamps)              \
-    F(EngineLaunch, lamp)                                                                              \
+    F(EngineLaunch, height) F(EngineLaunch, padding) F(EngineLaunch, picture) F(EngineLaunch, lamp)    \
     S(Tally) F(Tally, radiance) F(Tally, squares) F(Tally, samples) F(Tally, segments)                 \
     F(Tally, full_length_paths) F(Tally, shadow_rays)                                                  \
     S(FilmPixel) F(FilmPixel, radiance) F(FilmPixel, squares) F(FilmPixel, samples)                    \
     F(FilmPixel, segments) F(FilmPixel, full_length_paths) F(FilmPixel, shadow_rays)                   \
+    S(Splat) F(Splat, radiance) F(Splat, light_segments) F(Splat, broken)                              \
     S(ThesisMaterial) F(ThesisMaterial, colour) F(ThesisMaterial, radiance) F(ThesisMaterial, type)   \
     F(ThesisMaterial, ior) F(ThesisMaterial, scatters) F(ThesisMaterial, padding)                     \
     S(ThesisSphere) F(ThesisSphere, centre_radius) F(ThesisSphere, material)                          \

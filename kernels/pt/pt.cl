@@ -23,23 +23,23 @@ static inline Vec gathered_radiance(const World* world, const Path* path, lanes_
 }
 
 /* One segment of every path: to the nearest face, which scatters it. Returns the lanes whose path ends there. */
-static inline lanes_mask trace_segment(const World* world, Path* path, lanes_mask alive, uint turn,
-                                       lanes_u* face COUNTED_PARAMETER) {
+static inline lanes_mask trace_segment(const World* world, Path* path, const Hit* hit, lanes_mask alive,
+                                       uint turn COUNTED_PARAMETER) {
     (void)alive, (void)turn;
     const Scene scene = world->scene;
-    const Hit hit = nearest_hit(scene, &path->ray, &path->inside);
     const Vec draw = draw_bounce(&path->random);
-    *face = hit_face(&hit);
-    const Surface surface = surface_of(&world->surfaces, *face);
-    gather_radiance(path, &world->surfaces, *face);
+    const lanes_u face = hit_face(hit);
+    const Surface surface = surface_of(&world->surfaces, face);
+    gather_radiance(path, &world->surfaces, face);
     const lanes_mask ends = lanes_hold(surface.mirrored < 0.0f); /* as a mask at once: 0.98 -> 1 (two AVX-512 cores) */
     path->throughput = vec_mul(path->throughput, surface.weight);
     COUNTED_SEGMENT(scene, alive)
     COUNTED_LANES(alive, ENGINE_GATHER_WORK)
-    move_to_hit(&path->ray, &hit);
-    scatter(scene, &path->ray, &path->inside, &hit, &surface, &draw);
+    move_to_hit(&path->ray, hit);
+    scatter(scene, &path->ray, &path->inside, hit, &surface, &draw);
     return ends | dies(path, chance_to_go_on(&surface));
 }
 
 #define INTEGRATOR pt
+#include "engine/trace.h"
 #include "engine/kernels.h"

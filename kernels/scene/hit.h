@@ -1,4 +1,4 @@
-/* Where a ray meets the scene. */
+/* Where a ray meets spheres. */
 #ifndef PTB_SCENE_HIT_H
 #define PTB_SCENE_HIT_H
 
@@ -15,6 +15,11 @@ typedef struct Hit {
 #endif
 #ifdef SCENE_CARRIED
     lanes_f half_linear[SCENE_FEW];
+#endif
+#ifdef SCENE_TREE
+    uint triangle; /* met, or TREE_NOTHING */
+    Vec point, normal;
+    float margin; /* see Ray */
 #endif
 } Hit;
 
@@ -181,7 +186,7 @@ ALWAYS_INLINE void offer_two_sided(Hit* hit, Scene scene, const Line* line, cons
    again (the root is negative); from inside it is always met, at the far root.
    On CPUs the two-sided spheres, which take longer, come first, and others' arithmetic fills the wait for the last:
    1.05 (two Zen 3 cores, PoCL); on GPUs last, 1.014 (H100). */
-ALWAYS_INLINE Hit nearest_hit(Scene scene, const Ray* ray, const Sides* inside) {
+ALWAYS_INLINE Hit nearest_sphere(Scene scene, const Ray* ray, const Sides* inside) {
     const Line line = line_of(ray);
     Hit hit = no_hit(background(scene));
     if (PTB_LANES > 1) offer_two_sided(&hit, scene, &line, ray, inside);
@@ -204,9 +209,10 @@ static inline lanes_mask leaves_before(Quadratic e, lanes_f distance, uint i) {
     return (beyond > 0.0f) & (beyond * beyond > e.d);
 }
 
-/* Whether nothing is between a ray's origin and the sphere with this outer face, which it meets at `distance`: no sphere but
-   that one, which is left out by its number. No epsilon, as in nearest_hit. */
-ALWAYS_INLINE lanes_mask sees(Scene scene, const Ray* ray, const Sides* inside, lanes_f distance, lanes_u target) {
+/* Whether no sphere is between a ray's origin and its target at `distance`: none but that of this outer face, if it is one,
+   which is left out by its number (SEES_POINT: none is). No epsilon, as in nearest_sphere. */
+#define SEES_POINT 0xffffffffu
+ALWAYS_INLINE lanes_mask sees_past_spheres(Scene scene, const Ray* ray, const Sides* inside, lanes_f distance, lanes_u target) {
     const Line line = line_of(ray);
     Hit unused;
     lanes_mask blocked = lanes_none();
@@ -221,14 +227,14 @@ ALWAYS_INLINE lanes_mask sees(Scene scene, const Ray* ray, const Sides* inside, 
         const Quadratic e = quadratic_of(scene.spheres[i].centre_k, i, &line, ray, &unused);
         const lanes_mask in = lanes_as_i(side_sign(scene, side_of(scene, inside, i - scene.opaque))) < 0;
         const lanes_mask meets = meets_before(e, distance, i), leaves = leaves_before(e, distance, i);
-        const lanes_mask other = target != 2u * (i - scene.opaque);
+        const lanes_mask other = (target >> 1) != i - scene.opaque;
         blocked |= ((in & leaves) | (!in & meets)) & other;
     }
     return !blocked;
 }
 
 /* Moves the rays to their hits. */
-static inline void move_to_hit(Ray* ray, const Hit* hit) {
+static inline void move_to_sphere(Ray* ray, const Hit* hit) {
     const lanes_f t = hit_distance(hit);
     ray->origin = vec_add_scaled(ray->origin, ray->direction, t);
 #ifdef SCENE_CARRIED

@@ -27,7 +27,7 @@ typedef struct Lamps {
 
 #define LAMP_FLOAT(lamps, number, member) ((lanes_f)((lamps)->first->member))
 #define LAMP_UINT(lamps, number, member) ((lanes_u)((lamps)->first->member))
-static inline lanes_u choose_lamp(const Lamps* lamps, lanes_u word, lanes_u share) {
+ALWAYS_INLINE lanes_u choose_lamp(const Lamps* lamps, lanes_u word, lanes_u share) {
     (void)lamps, (void)word, (void)share;
     return (lanes_u)(0u);
 }
@@ -37,7 +37,7 @@ static inline lanes_u choose_lamp(const Lamps* lamps, lanes_u word, lanes_u shar
 #define LAMP_FLOAT(lamps, number, member) LANES_GATHER(float, (lamps)->rows, number, .member)
 #define LAMP_UINT(lamps, number, member) LANES_GATHER(uint, (lamps)->rows, number, .member)
 /* By power, in a time that does not depend on their number: see SceneLamp. */
-static inline lanes_u choose_lamp(const Lamps* lamps, lanes_u word, lanes_u share) {
+ALWAYS_INLINE lanes_u choose_lamp(const Lamps* lamps, lanes_u word, lanes_u share) {
     const lanes_f place = (random_1_2(word) - 1.0f) * (float)lamps->count;
     const lanes_u number = lanes_min_u(lanes_to_u(place), (lanes_u)(lamps->count - 1u));
     const lanes_mask stays = random_1_2(share) - 1.0f < LAMP_FLOAT(lamps, number, radiance_kept.w);
@@ -48,7 +48,7 @@ static inline lanes_u choose_lamp(const Lamps* lamps, lanes_u word, lanes_u shar
 
 #if PTB_LANES == 1
 /* By whole vectors, as memory is read. */
-static inline Lamp lamp_of(const Lamps* lamps, lanes_u number) {
+ALWAYS_INLINE Lamp lamp_of(const Lamps* lamps, lanes_u number) {
 #ifdef SCENE_LONE_LAMP
     const SceneLamp* row = lamps->first;
     (void)number;
@@ -61,7 +61,7 @@ static inline Lamp lamp_of(const Lamps* lamps, lanes_u number) {
     return lamp;
 }
 #else
-static inline Lamp lamp_of(const Lamps* lamps, lanes_u number) {
+ALWAYS_INLINE Lamp lamp_of(const Lamps* lamps, lanes_u number) {
     (void)number;
     Lamp lamp;
     lamp.centre.x = LAMP_FLOAT(lamps, number, centre_radius.x);
@@ -107,6 +107,9 @@ static inline Vec uniform_cone(Vec axis, lanes_f extent, lanes_u u, lanes_u v) {
     return from_frame(axis, x, y, 1.0f - down);
 }
 
+/* A point of what shows of a lamp, uniform by area, as its unit normal. A lamp that hangs free is a cap of all the sphere. */
+static inline Vec point_of_lamp(const Lamp* lamp, lanes_u u, lanes_u v) { return uniform_cone(lamp->axis, lamp->extent, u, v); }
+
 /* How a point samples a lamp. Near it, and always one that hangs free, it takes the sphere as it sees it, uniformly by solid
    angle: the cone `axis`, `extent`. Of one sunk in an opaque sphere it else takes the cap that shows, by area. */
 typedef struct Sight {
@@ -121,7 +124,7 @@ typedef struct Sight {
 #define LAMPS_HAVE_CAPS 1
 #endif
 
-static inline Sight sight_of(const Lamp* lamp, Vec point, lanes_mask counts COUNTED_PARAMETER) {
+ALWAYS_INLINE Sight sight_of(const Lamp* lamp, Vec point, lanes_mask counts COUNTED_PARAMETER) {
     (void)counts;
     Sight sight;
     COUNTED_LANES(counts, LAMP_SIGHT_WORK)
@@ -156,7 +159,7 @@ static inline Density lamp_density(const Lamp* lamp, const Sight* sight, lanes_f
 /* A direction towards a lamp, and how far the lamp is there. */
 typedef struct LampSample {
     Vec direction, radiance;
-    lanes_f distance;
+    lanes_f distance, area_density; /* the latter is chance / area of what shows */
     Density density;
     lanes_u face;
 } LampSample;
@@ -177,19 +180,49 @@ static inline LampDraw draw_lamp(Random* random) {
     return draw;
 }
 
-static inline LampSample sample_lamp(const Lamps* lamps, Vec point, const LampDraw* draw, lanes_mask counts COUNTED_PARAMETER) {
+#ifdef SCENE_TREE
+/* A uniform point of a triangle, see "Graphics Gems: Generating Random Points in Triangles", by G. Turk. */
+static inline LampSample sample_triangle(Scene scene, const Lamp* lamp, uint place, Vec point, const LampDraw* draw COUNTED_PARAMETER) {
+    COUNTED(1u, LAMP_TRIANGLE_WORK)
+    Vec corner[3];
+    const uint number = triangle_at(scene.tree, place, corner);
+    const float away = lanes_sqrt(random_1_2(draw->u) - 1.0f), share_c = away * (random_1_2(draw->v) - 1.0f);
+    const Vec b = vec_sub(corner[1], corner[0]), c = vec_sub(corner[2], corner[0]);
+    const Vec to_corner = vec_sub(corner[0], point);
+    const Vec to_lamp = vec_add_scaled(vec_add_scaled(to_corner, b, away - share_c), c, share_c);
+    const float squared = vec_dot(to_lamp, to_lamp), inverse = lanes_rsqrt(squared);
+    LampSample sample;
+    sample.direction = vec_scale(to_lamp, inverse);
+    sample.radiance = lamp->radiance;
+    sample.distance = squared * inverse;
+    sample.density.part = lamp->cap_density * squared;
+    sample.density.whole = fabs(vec_dot(sample.direction, vec_of(scene.triangles[number].normal_face)));
+    sample.face = lamp->face;
+    return sample;
+}
+#endif
+
+ALWAYS_INLINE LampSample sample_lamp(Scene scene, const Lamps* lamps, Vec point, const LampDraw* draw,
+                                     lanes_mask counts COUNTED_PARAMETER) {
+    (void)scene;
 #ifndef SCENE_LONE_LAMP
     COUNTED_LANES(counts, LAMP_CHOICE_WORK)
 #endif
-    const Lamp lamp = lamp_of(lamps, choose_lamp(lamps, draw->choice, draw->share));
+    const lanes_u number = choose_lamp(lamps, draw->choice, draw->share);
+    const Lamp lamp = lamp_of(lamps, number);
+#ifdef SCENE_TREE
+    if ((lamp.face & SCENE_TRIANGLE) != 0u)
+        return sample_triangle(scene, &lamp, LAMP_UINT(lamps, number, place), point, draw COUNTED_ARGUMENT);
+#endif
     const Sight sight = sight_of(&lamp, point, counts COUNTED_ARGUMENT);
     LampSample sample;
     sample.radiance = lamp.radiance;
     sample.face = lamp.face;
+    sample.area_density = lamp.cap_density;
     lanes_f squared = (lanes_f)(0.0f), cosine = squared;
     if (LAMPS_HAVE_CAPS) {
         COUNTED_LANES(counts, LAMP_CAP_WORK)
-        const Vec outwards = uniform_cone(lamp.axis, lamp.extent, draw->u, draw->v);
+        const Vec outwards = point_of_lamp(&lamp, draw->u, draw->v);
         const Vec to_cap = vec_add_scaled(sight.to_centre, outwards, lamp.radius);
         squared = vec_dot(to_cap, to_cap);
         const lanes_f inverse = lanes_rsqrt(squared);
@@ -212,16 +245,14 @@ static inline LampSample sample_lamp(const Lamps* lamps, Vec point, const LampDr
     return sample;
 }
 
-/* The density with which sample_lamp takes the way that a path went, from `ray` over `distance` to lamp `number`. */
-static inline Density density_of_way(const Lamps* lamps, lanes_u number, const Ray* ray, lanes_f distance,
-                                     lanes_mask counts COUNTED_PARAMETER) {
-    const Lamp lamp = lamp_of(lamps, number);
-    const Sight sight = sight_of(&lamp, ray->origin, counts COUNTED_ARGUMENT);
+/* The density with which sample_lamp takes the way that a path went, from `ray` over `distance` to a lamp. */
+ALWAYS_INLINE Density density_of_way(const Lamp* lamp, const Ray* ray, lanes_f distance, lanes_mask counts COUNTED_PARAMETER) {
+    const Sight sight = sight_of(lamp, ray->origin, counts COUNTED_ARGUMENT);
     COUNTED_LANES(counts, LAMP_WAY_WORK)
     COUNTED_LANES(counts, LAMP_DENSITY_WORK)
     /* part and whole of a cap times its radius */
     const lanes_f beyond = vec_dot(ray->direction, sight.to_centre) - distance;
-    return lamp_density(&lamp, &sight, distance * distance * lamp.radius, lanes_max(beyond, (lanes_f)(0.0f)));
+    return lamp_density(lamp, &sight, distance * distance * lamp->radius, lanes_max(beyond, (lanes_f)(0.0f)));
 }
 
 #endif

@@ -37,16 +37,23 @@ static inline lanes_mask refract_some(lanes_f* normal, lanes_f along, const Surf
 
 /* Gives rays that are at their hits new directions; where they pass through a dielectric, changes sides. Returns 1 / length
    of the sum that the direction is made of: of a matte surface 1 / twice its cosine. */
-static inline lanes_f scatter(Scene scene, Ray* ray, Sides* inside, const Hit* hit, const Surface* surface, const Vec* draw) {
-    const Vec from_centre = vec_sub(ray->origin, surface->centre);
-    const lanes_f along = vec_dot(ray->direction, from_centre);
+ALWAYS_INLINE lanes_f scatter(Scene scene, Ray* ray, Sides* inside, const Hit* hit, const Surface* surface, const Vec* draw) {
+    const Vec outwards = from_centre(ray, surface->centre);
+    const lanes_f along = vec_dot(ray->direction, outwards);
     lanes_f normal = surface->matte - surface->mirrored * along;
     const Vec base = vec_select(*draw, ray->direction, surface->mirrored > 0.0f);
     /* of many rays some is mostly at a dielectric, so there is no branch */
-    if (two_sided_spheres(scene) > 0u)
-        change_sides(scene, inside, hit_face(hit), refract_some(&normal, along, surface, draw));
-    const Vec sum = vec_add_scaled(base, from_centre, normal);
-    const lanes_f inverse_length = lanes_rsqrt(vec_dot(sum, sum));
+    if (scene_refracts(scene)) pass_through(scene, ray, inside, hit, along, refract_some(&normal, along, surface, draw));
+    const Vec sum = vec_add_scaled(base, outwards, normal);
+    const lanes_f squared_length = vec_dot(sum, sum);
+#ifdef SCENE_TREE
+    /* the point drawn may be the very opposite of a flat surface's normal, along an axis once in 50 million times */
+    if (squared_length == 0.0f) {
+        ray->direction = vec_scale(outwards, normal);
+        return 0.5f;
+    }
+#endif
+    const lanes_f inverse_length = lanes_rsqrt(squared_length);
     ray->direction = vec_scale(sum, inverse_length);
     return inverse_length;
 }

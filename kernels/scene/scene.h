@@ -6,6 +6,24 @@
 #include "lib/vec.h"
 #include "shared/scene.h"
 
+/* SCENE_TREE, 2 or 8: the children of a node of the tree that triangles lie in, if there are any. Rays are alone in their
+   work-item then. */
+#ifdef SCENE_TREE
+typedef struct Tree {
+    __global const float4* nodes;  /* of TreeNode2 or TreeNode8 */
+    __global const float4* leaves; /* of TreeTriangle or TreeBlock8 */
+} Tree;
+/* Handed down to where a Scene is made. */
+#define SCENE_TREE_PARAMETERS \
+    __global const float4 *tree_nodes, __global const float4 *tree_leaves, __global const SceneTriangle *triangles,
+#define SCENE_TREE_ARGUMENTS tree_nodes, tree_leaves, triangles,
+#define SCENE_TREE_MEMBERS , {tree_nodes, tree_leaves}, triangles
+#else
+#define SCENE_TREE_PARAMETERS
+#define SCENE_TREE_ARGUMENTS
+#define SCENE_TREE_MEMBERS
+#endif
+
 /* 32-bit words that hold one side bit per two-sided sphere. */
 #ifndef SCENE_SIDE_WORDS
 #define SCENE_SIDE_WORDS 1
@@ -52,9 +70,23 @@ typedef struct Scene {
     uint count;
     uint distance_mask; /* SCENE_DISTANCE_MASK, hidden from the compiler: and with it, or a number is one instruction of three
                            operands then (H200: 0.96 without) */
+#ifdef SCENE_TREE
+    Tree tree;
+    __global const SceneTriangle* triangles;
+#endif
 } Scene;
 
 static inline uint two_sided_spheres(Scene scene) { return scene.count - scene.opaque; }
+
+/* Whether anything in it may be of glass; SCENE_GLASS: a triangle. */
+static inline bool scene_refracts(Scene scene) {
+#ifdef SCENE_GLASS
+    (void)scene;
+    return true;
+#else
+    return two_sided_spheres(scene) > 0u;
+#endif
+}
 
 /* Numbers of faces, as SceneSurface orders them. */
 static inline uint opaque_face(Scene scene, uint sphere) { return 2u * two_sided_spheres(scene) + sphere; }
@@ -108,6 +140,11 @@ typedef struct Ray {
     Vec origin, direction; /* the direction has length 1 */
 #ifdef SCENE_CARRIED
     lanes_f gap[SCENE_FEW]; /* see scene/hit.h */
+#endif
+#ifdef SCENE_TREE
+    uint left;    /* the triangle that it starts at, which it does not meet; or TREE_NOTHING */
+    Vec normal;   /* of that triangle, outwards, and */
+    float margin; /* how far from its plane, towards where it came from, the ray was put */
 #endif
 } Ray;
 

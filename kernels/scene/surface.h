@@ -3,7 +3,7 @@
 #define PTB_SCENE_SURFACE_H
 
 #include "lib/table.h"
-#include "scene/hit.h"
+#include "scene/meet.h"
 
 /* See SceneSurface. */
 typedef struct Surface {
@@ -78,7 +78,7 @@ static inline Surfaces surfaces_of(SCENE_SURFACE_SPACE const SceneSurface* rows,
 
 #endif
 
-static inline Surface surface_of(const Surfaces* all, lanes_u face) {
+ALWAYS_INLINE Surface surface_of(const Surfaces* all, lanes_u face) {
     Surface s;
     s.centre.x = SURFACE_FIELD(all, 0, centre_matte.x, face);
     s.centre.y = SURFACE_FIELD(all, 1, centre_matte.y, face);
@@ -96,11 +96,16 @@ static inline Surface surface_of(const Surfaces* all, lanes_u face) {
 }
 
 /* Radiance that the face sends out. */
-static inline Vec radiance_of(const Surfaces* all, lanes_u face) {
+ALWAYS_INLINE Vec radiance_of(const Surfaces* all, lanes_u face) {
     const lanes_u index = RADIANCE_INDEX(face);
     return vec(SURFACE_FIELD(all, 8, radiance.x, index), SURFACE_FIELD(all, 9, radiance.y, index),
                SURFACE_FIELD(all, 10, radiance.z, index));
 }
+
+#ifdef SCENE_TREE
+/* The density by area with which a point of its triangles is asked for light, or 0. */
+static inline float density_asked(const Surfaces* all, uint face) { return SURFACE_FIELD(all, 0, asked.x, face); }
+#endif
 
 #ifdef SCENE_MANY_LAMPS
 /* Its lamp's number and 1, or 0. */

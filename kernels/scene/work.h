@@ -90,6 +90,24 @@
     (SCENE_LINE_FLOPS + (scene).count * SCENE_SEES_FLOPS + two_sided_spheres(scene) * 2u + 5u * SCENE_DISTANT_ONES + \
      2u * SCENE_VAST_ONES + SCENE_VAST_TWO_SIDED - SCENE_SAVED_FLOPS), 0u, 0u, 0u
 
+/* scene/search.h: a ray's preparation; a node, a triangle, and one that the ray goes through. scene/meet.h: the point met. */
+#ifdef SCENE_TREE
+#if SCENE_TREE == 8
+#define TREE_AIM_WORK 5u, 0u, 4u, 0u
+#define TREE_NODE_WORK (8u * 6u * 2u), 0u, 0u, (uint)sizeof(TreeNode8)
+#define TREE_TRIANGLE_WORK (9u + 6u * 2u + 11u), 0u, 0u, (3u * 3u * 4u)
+#define TREE_POINT_WORK 9u, 0u, 1u, 4u
+#else
+#define TREE_AIM_WORK 5u, 0u, 4u, 0u
+#define TREE_NODE_WORK (2u * 6u * 2u), 0u, 0u, (uint)sizeof(TreeNode2)
+#define TREE_TRIANGLE_WORK (9u + 6u * 5u + 11u), 0u, 0u, (uint)sizeof(TreeTriangle)
+#define TREE_POINT_WORK 23u, 0u, 1u, 0u
+#endif
+#define TREE_MET_WORK (6u + 5u + 1u + 12u + 6u), 0u, 0u, (uint)(sizeof(TreeTriangle) + sizeof(SceneTriangle))
+#define LAMP_TRIANGLE_WORK (2u + 1u + 6u + 3u + 1u + 12u + 5u + SCENE_RSQRT_FLOPS + 3u + 1u + 1u + 5u), (1u + SCENE_RSQRT_ROOTS), \
+        SCENE_RSQRT_DIVISIONS, (uint)(sizeof(TreeTriangle) + sizeof(SceneTriangle))
+#endif
+
 /* scene/lamps.h: a direction of a cone, */
 #define LAMP_CONE_FLOPS (5u + (SCENE_SPHERE_FLOPS - 3u) + 29u + SCENE_RSQRT_FLOPS)
 #define LAMP_CONE_ROOTS (SCENE_SPHERE_ROOTS + SCENE_RSQRT_ROOTS)

@@ -13,4 +13,13 @@ typedef struct PtbCamera {
 } PtbCamera;
 PTB_ASSERT_SIZE(PtbCamera, 64);
 
+/* The way back: a direction d from the camera, of length 1, goes through image position (across.d / axis.d + its w,
+   down.d / axis.d + its w). */
+typedef struct PtbPicture {
+    ptb_float4 axis_area; /* xyz: along the view, of length 1; w: area of the picture at distance 1 */
+    ptb_float4 across;
+    ptb_float4 down;
+} PtbPicture;
+PTB_ASSERT_SIZE(PtbPicture, 48);
+
 #endif

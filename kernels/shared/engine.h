@@ -36,9 +36,12 @@ typedef struct EngineLaunch {
     float radiance_scale; /* the film's unit of radiance is 1 / this, a power of two; */
     float squares_scale;  /* of squared radiance, 1 / this */
     ptb_uint lamps;
+    ptb_uint height;
+    ptb_uint padding[3];
+    PtbPicture picture;
     SceneLamp lamp; /* the first */
 } EngineLaunch;
-PTB_ASSERT_SIZE(EngineLaunch, 240);
+PTB_ASSERT_SIZE(EngineLaunch, 304);
 
 /* What a unit leaves: sums over its samples. */
 typedef struct Tally {
@@ -64,6 +67,14 @@ typedef struct FilmPixel {
 PTB_ASSERT_SIZE(FilmPixel, 64);
 
 #define FILM_BROKEN (-0x7fffffffffffffff - 1)
+
+/* What samples of all pixels add to one: by atomics, whose sum of whole numbers does not depend on their order either. */
+typedef struct Splat {
+    ptb_long radiance[3];    /* times `radiance_scale` */
+    ptb_uint light_segments; /* of the pixel's own samples: segments of their paths from lamps */
+    ptb_uint broken;         /* samples whose radiance was no number, or too large */
+} Splat;
+PTB_ASSERT_SIZE(Splat, 32);
 
 /* A film in an image has its pixels cut into so many layers of 16 bytes, one below the other. */
 #define FILM_LAYERS 4

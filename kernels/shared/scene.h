@@ -3,6 +3,7 @@
 #define PTB_SHARED_SCENE_H
 
 #include "shared/camera.h"
+#include "shared/tree.h"
 
 /* A sphere as the intersection wants it. */
 typedef struct SceneSphere {
@@ -26,8 +27,9 @@ typedef struct SceneFewSpheres {
 PTB_ASSERT_SIZE(SceneFewSpheres, 256);
 
 /* What scattering needs to know of a face of a sphere. Rows: the outer and the inner face of each two-sided sphere, the
-   one face of each opaque one, the background. `outwards` is 1 / radius, negative on an inner face: times the way from
-   the centre, the normal on this side. `eta` is the index of refraction here over that beyond. */
+   one face of each opaque one, the background; after the start, the outer and the inner face of the triangles of each
+   material. `outwards` is 1 / radius, negative on an inner face: times the way from the centre, the normal on this side.
+   Triangles' are 1 and -1, times the normal. `eta` is the index of refraction here over that beyond. */
 typedef struct SceneSurface {
     ptb_float4 centre_matte; /* xyz: centre; w: outwards if matte, else 0 */
     ptb_float4 weight_eta;   /* rgb: throughput factor of a bounce; w: eta^2, NaN unless dielectric, so that nothing
@@ -35,7 +37,8 @@ typedef struct SceneSurface {
     ptb_float4 radiance;     /* rgb: emitted; w: its lamp's number and 1, or 0 */
     ptb_float4 traits;       /* x: 2 / radius^2 of a mirror or dielectric, 0 if matte, -1 if no path goes on from it;
                                 y: outwards eta; z: outwards / eta; w: 1 - eta^2 */
-    ptb_float4 padding; /* rows of 80 bytes lie in different banks of a GPU's local memory, rows of 64 in two of them */
+    ptb_float4 asked;  /* x: of triangles that shine, the density by area with which a lamp's point is asked for. Rows of 80
+                          bytes lie in different banks of a GPU's local memory, rows of 64 in two of them */
 } SceneSurface;
 PTB_ASSERT_SIZE(SceneSurface, 80);
 
@@ -47,8 +50,18 @@ typedef struct SceneStart {
 } SceneStart;
 PTB_ASSERT_SIZE(SceneStart, 80);
 
+/* What a path needs to know of a triangle of the scene, by its number. */
+typedef struct SceneTriangle {
+    ptb_float4 normal_face; /* xyz: of length 1, outwards; w: bits of the number of its outer face, before that of the inner one */
+} SceneTriangle;
+PTB_ASSERT_SIZE(SceneTriangle, 16);
+
+/* What SceneLamp::face has of a triangle, beside its number. */
+#define SCENE_TRIANGLE 0x80000000u
+
 /* A sphere that shines and can be sampled: see scene/lamps.h. Of N lamps, lamp number i is chosen by a uniform number in
-   [i, i + 1) / N below (i + kept) / N, else its alias is. */
+   [i, i + 1) / N below (i + kept) / N, else its alias is. A triangle is one of radius 0, of which these are said to be of
+   both: radiance, kept, chance, the density, alias, face, middle. */
 typedef struct SceneLamp {
     ptb_float4 centre_radius;
     ptb_float4 axis_extent;   /* xyz: to the middle of the cap that shows; w: 1 - cosine of the cap's rim, seen from the centre */
@@ -59,8 +72,9 @@ typedef struct SceneLamp {
     float near_squared;       /* points whose squared distance from the centre is below sample the sphere as they see it, others
                                  the cap; a lamp that hangs free has no cap: infinity */
     ptb_uint alias;
-    ptb_uint face; /* its number, as the rows of surfaces have it */
-    ptb_uint padding[3];
+    ptb_uint face;  /* its number, as the rows of surfaces have it */
+    ptb_uint place; /* of a triangle in the leaves */
+    ptb_uint padding[2];
 } SceneLamp;
 PTB_ASSERT_SIZE(SceneLamp, 96);
 

@@ -8,6 +8,15 @@
 #define WHITTED_POINT_WORK (3u + 5u + 3u + SCENE_RSQRT_FLOPS + 11u + 5u), SCENE_RSQRT_ROOTS, SCENE_RSQRT_DIVISIONS, 32u
 #define WHITTED_LIGHT_WORK 6u, 0u, 1u, 20u
 
+/* Triangles send most along their normals. */
+static inline lanes_f sent_by(__global const SceneLamp* lamp, Vec direction) {
+#ifdef SCENE_TREE
+    if ((lamp->face & SCENE_TRIANGLE) != 0u) return fabs(vec_dot(vec_of(lamp->axis_extent), direction));
+#endif
+    (void)lamp, (void)direction;
+    return (lanes_f)(1.0f);
+}
+
 /* Adds the light of the point that stands for a lamp. A cap, which is sunk, sends it to one side alone. */
 static inline void gather_point(const World* world, Path* path, const Surface* surface, lanes_mask matte, uint number,
                                 lanes_mask counts COUNTED_PARAMETER) {
@@ -24,31 +33,31 @@ static inline void gather_point(const World* world, Path* path, const Surface* s
     const lanes_mask lit = matte & sent & (cosine > 0.0f);
     if (!lanes_any(lit)) return;
     COUNTED_LANES(counts & lit, WHITTED_LIGHT_WORK)
-    const Vec radiance = vec_scale(vec_of(lamp->radiance_kept), middle_sent.w * (1.0f / PI) * cosine / squared);
+    const Vec radiance = vec_scale(vec_of(lamp->radiance_kept), middle_sent.w * (1.0f / PI) * cosine * sent_by(lamp, direction) / squared);
     gather_unless_shadowed(world, path, lit, direction, squared * inverse, (lanes_u)(lamp->face), radiance, counts COUNTED_ARGUMENT);
 }
 
-static inline lanes_mask trace_segment(const World* world, Path* path, lanes_mask alive, uint turn,
-                                       lanes_u* face COUNTED_PARAMETER) {
+static inline lanes_mask trace_segment(const World* world, Path* path, const Hit* hit, lanes_mask alive,
+                                       uint turn COUNTED_PARAMETER) {
     (void)alive;
     const Scene scene = world->scene;
-    const Hit hit = nearest_hit(scene, &path->ray, &path->inside);
-    *face = hit_face(&hit);
-    const Surface surface = surface_of(&world->surfaces, *face);
+    const lanes_u face = hit_face(hit);
+    const Surface surface = surface_of(&world->surfaces, face);
     const lanes_mask ends = surface.mirrored < 0.0f, matte = surface.mirrored == 0.0f;
-    gather_met(world, path, *face, (lanes_f)(1.0f), alive COUNTED_ARGUMENT);
+    gather_met(world, path, face, (lanes_f)(1.0f), alive COUNTED_ARGUMENT);
     path->throughput = vec_mul(path->throughput, surface.weight);
     COUNTED_SEGMENT(scene, alive)
-    move_to_hit(&path->ray, &hit);
+    move_to_hit(&path->ray, hit);
     const lanes_mask lit = matte & (turn + 1u < path->last_turn);
     if (lanes_any(lit)) {
         for (uint i = 0; i < world->lamps.count; ++i) gather_point(world, path, &surface, lit, i, alive COUNTED_ARGUMENT);
     }
 
     const Vec draw = draw_bounce(&path->random);
-    scatter(scene, &path->ray, &path->inside, &hit, &surface, &draw);
+    scatter(scene, &path->ray, &path->inside, hit, &surface, &draw);
     return ends | matte | dies(path, chance_to_go_on(&surface));
 }
 
 #define INTEGRATOR whitted
+#include "engine/trace.h"
 #include "engine/kernels.h"

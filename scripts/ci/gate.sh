@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Is this tree slower than another revision? Builds both, measures them alternately with `ptbench ab`, and exits as it
-# does: 0 no, 3 yes (the README's table has the rest). For any CI on Debian or Ubuntu:
+# does: 0 no, 3 yes (docs/ci.md has the table). For any CI on Debian or Ubuntu:
 #   scripts/ci/gate.sh REVISION [options of `ptbench ab`]
 # Leaves gate.json (the decision, with all samples) and gate.md in $PTBENCH_GATE_DIR [gate-results], and appends the
 # latter to $GITHUB_STEP_SUMMARY where that is set.

@@ -16,7 +16,7 @@ set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libptbench-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "ocl-icd-opencl-dev, opencl-clhpp-headers, libfmt-dev, nlohmann-json3-dev, libopenexr-dev, libpng-dev")
+  "ocl-icd-opencl-dev, opencl-clhpp-headers, libfmt-dev, nlohmann-json3-dev, libopenexr-dev, libpng-dev, libassimp-dev, pkg-config")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Static library, headers and CMake package of the tracer without the runner.")
 
 # What Debian asks of every package.

@@ -1,8 +1,15 @@
 #!/usr/bin/env bash
-# slurm.sh COMMAND...: runs a command beside a Slurm cluster of its own, of one node on this machine, without systemd; ends both.
+# slurm.sh [--nodes N] COMMAND...: runs a command beside a Slurm cluster of its own, of one node or more (n1, n2, ...) on this
+# machine, without systemd; ends both. Each node has a hostname and mounts of its own (slurm_node.sh).
 # Needs root, and Debian's slurmctld slurmd slurm-client munge, installed where /usr/sbin/policy-rc.d exits 101.
 set -euo pipefail
 
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+nodes=1
+if [ "${1-}" = --nodes ]; then
+    nodes=$2
+    shift 2
+fi
 scratch=$(mktemp -d /tmp/ptbench-slurm-XXXXXX)
 daemons=()
 # The last that was started first: the end of a step is told to slurmctld, by munged's word.
@@ -23,6 +30,7 @@ chmod 711 "$scratch/munge"
 dd if=/dev/urandom of="$scratch/munge/key" bs=1024 count=1 status=none
 chmod 400 "$scratch/munge/key"
 host=$(hostname -s)
+port=$((20000 + $$ % 2000 * 10)) # another cluster on this machine has others
 cat >"$scratch/slurm.conf" <<CONF
 ClusterName=ptbench
 SlurmctldHost=$host(127.0.0.1)
@@ -30,11 +38,12 @@ SlurmUser=root
 AuthType=auth/munge
 AuthInfo=socket=$scratch/munge/socket
 CryptoType=crypto/munge
-SlurmctldPort=16817
+SlurmctldPort=$port
 StateSaveLocation=$scratch/state
 SlurmctldPidFile=$scratch/slurmctld.pid
-SlurmdPidFile=$scratch/slurmd.pid
-SlurmdSpoolDir=$scratch/spool
+SlurmdPidFile=$scratch/slurmd-%n.pid
+SlurmdSpoolDir=$scratch/spool/%n
+SlurmdTimeout=5
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
 JobAcctGatherType=jobacct_gather/none
@@ -42,9 +51,12 @@ AccountingStorageType=accounting_storage/none
 MpiDefault=none
 SlurmdParameters=config_overrides
 ReturnToService=2
-NodeName=n1 NodeHostname=$host NodeAddr=127.0.0.1 Port=17001 CPUs=8
-PartitionName=all Nodes=n1 Default=YES State=UP
+PartitionName=all Nodes=ALL Default=YES State=UP
 CONF
+for ((i = 1; i <= nodes; i++)); do
+    mkdir "$scratch/spool/n$i"
+    echo "NodeName=n$i NodeHostname=n$i NodeAddr=127.0.0.1 Port=$((port + i)) CPUs=8" >>"$scratch/slurm.conf"
+done
 export SLURM_CONF=$scratch/slurm.conf
 
 munged --force --foreground --socket "$scratch/munge/socket" --key-file "$scratch/munge/key" --log-file "$scratch/munge/log" \
@@ -56,13 +68,16 @@ for _ in $(seq 50); do
 done
 slurmctld -D >"$scratch/slurmctld.out" 2>&1 &
 daemons+=($!)
-slurmd -D -N n1 >"$scratch/slurmd.out" 2>&1 &
-daemons+=($!)
+for ((i = 1; i <= nodes; i++)); do
+    "$here/slurm_node.sh" "n$i" >"$scratch/slurmd-n$i.out" 2>&1 &
+    daemons+=($!)
+done
+idle() { sinfo -h -t idle -o %D 2>/dev/null; }
 for _ in $(seq 100); do
-    if [ "$(sinfo -h -o %t 2>/dev/null)" = idle ]; then break; fi
+    if [ "$(idle)" = "$nodes" ]; then break; fi
     sleep 0.2
 done
-if [ "$(sinfo -h -o %t)" != idle ]; then
+if [ "$(idle)" != "$nodes" ]; then
     tail -n 5 "$scratch"/*.out >&2
     exit 1
 fi

@@ -15,7 +15,7 @@ forbid() { # WHY PATTERN PATH...
     fi
 }
 
-library=(core/file core/image core/input core/integrator core/ocl core/oracle core/render core/scene core/source)
+library=(core/file core/image core/input core/integrator core/mesh core/ocl core/oracle core/render core/scene core/source core/tree)
 mapfile -t library < <(find "${library[@]}" -type f ! -name '*_main.cpp')
 forbid 'core knows neither bench nor tests' '#include "(bench|tests)/' core
 forbid 'bench knows no tests' '#include "tests/' bench

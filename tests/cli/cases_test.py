@@ -42,12 +42,14 @@ class Limits(CliTest):
 
 class Kernels(CliTest):
     def test_shadow_rays_are_counted_beside_segments(self):
-        for kernel, asks_lamps in (("pt", False), ("pt_nee", True)):
+        for kernel, asks_lamps, leaves_lamps in (("pt", False, False), ("pt_nee", True, False), ("bdpt", True, True)):
             record = self.only_case(*changed(ONE, kernel=kernel))
             work, statistics = record["work"], record["statistics"]
             self.assertEqual(work["shadow_rays"] > 0, asks_lamps)
+            self.assertEqual(work["light_segments"] > 0, leaves_lamps)
             if asks_lamps:
-                rays_a_segment = (work["segments"] + work["shadow_rays"]) / work["segments"]
+                rays = work["segments"] + work["shadow_rays"] + work["light_segments"]
+                rays_a_segment = rays / work["segments"]
                 self.assertAlmostEqual(statistics["mrays_per_s"] / statistics["msegments_per_s"], rays_a_segment)
             else:
                 self.assertIsNone(statistics["mrays_per_s"])

@@ -15,15 +15,15 @@ add_custom_target(ptbench)
 """
 
 
-class Recipe(CliTest):
+class Repository(CliTest):
     def git(self, *words):
         identity = ("-c", "user.name=a", "-c", "user.email=a@b")
         subprocess.run(["git", *identity, *words], cwd=self.scratch.work, check=True, capture_output=True)
 
-    def make_repository(self):
+    def make_repository(self, script):
         work = self.scratch.work
         (work / "scripts/ci").mkdir(parents=True)
-        for file in ("scripts/ci/gate.sh", "scripts/packages.sh", "CMakePresets.json"):
+        for file in (script, "scripts/packages.sh", "CMakePresets.json"):
             shutil.copy(SOURCE / file, work / file)
         self.scratch.write(".gitignore", "build/\n")
         self.scratch.write("CMakeLists.txt", BUILD % BINARY)
@@ -32,13 +32,15 @@ class Recipe(CliTest):
         self.git("commit", "-qm", "base")
         self.git("commit", "-qm", "change", "--allow-empty")
 
+
+class Recipe(Repository):
     def gate(self, *words):
         environment = self.scratch.environment(GITHUB_STEP_SUMMARY=str(self.scratch.work / "summary.md"))
         return subprocess.run(["scripts/ci/gate.sh", *words], cwd=self.scratch.work, env=environment,
                               capture_output=True, text=True, check=False)
 
     def test_two_equal_revisions_pass_and_leave_the_decision(self):
-        self.make_repository()
+        self.make_repository("scripts/ci/gate.sh")
         run = self.gate("HEAD~1", "-d", "pocl:1", *TINY[:8], "--wg", "implicit", "--tolerance", "100%")
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
         decision = json.loads((self.scratch.work / "gate-results/gate.json").read_text())
@@ -48,7 +50,7 @@ class Recipe(CliTest):
         self.assertIn("pocl:1", table + run.stdout)
 
     def test_what_is_not_a_revision_is_refused(self):
-        self.make_repository()
+        self.make_repository("scripts/ci/gate.sh")
         run = self.gate("nowhere")
         self.assertNotEqual(run.returncode, 0)
         self.assertIn("nowhere", run.stderr)

@@ -1,6 +1,7 @@
 """Ctrl-C: what was measured is written, and the exit code is 130."""
 
 import json
+import os
 import shutil
 import signal
 import time
@@ -29,6 +30,16 @@ class Interrupted(CliTest):
                 self.assertIn("written: out/result.json", err)
                 self.assertIn("go on with: ptbench --resume out/journal.jsonl", err)
                 (self.scratch.work / "out/journal.jsonl").unlink()
+
+    def test_a_batch_system_that_ends_all_processes_leaves_no_crash(self):
+        process = self.start_and_wait_for_one_record()
+        for worker in set(map(int, self.scratch.processes())) - {process.pid}:  # which hears of it first
+            os.kill(worker, signal.SIGTERM)
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=30)
+        self.assertEqual(process.returncode, 130)
+        self.assertEqual([(r["status"], r["reason"]) for r in self.scratch.result()["cases"][1:]],
+                         [("skipped", "interrupted")] * 2)
 
     def test_another_run_is_kept_out_of_the_folder_until_the_first_ends(self):
         process = self.start_and_wait_for_one_record(*LONG)

@@ -85,7 +85,7 @@ class Launchers(CliTest):
         self.run_ok(*ONE, "--scene", "mine.json", *self.scratch.launcher('cd there; "$@"'), "--out", "out", "-q", code=1)
         (record,) = self.scratch.result()["cases"]
         self.assertEqual((record["status"], record["samples"], record["statistics"]), ("runtime", [], None))
-        self.assertRegex(record["reason"], r"scene mine.json: found the text \w{16} where the worker is; allowed: \w{16}")
+        self.assertRegex(record["reason"], r"scene mine.json: found the content \w{16} where the worker is; allowed: \w{16}")
 
     def test_render_renders_there(self):
         icds = self.scratch.root / "icds_there"

@@ -139,6 +139,40 @@ class Page(unittest.TestCase):
         self.assertEqual(sets[0], [{"x": 1, "y": 20}, {"x": 5, "y": 100}, {"x": 100, "y": 100}])
         self.assertEqual([(place["x"], place["y"]) for place in sets[1]], [(50, 30)])
 
+    def board(self):
+        """Rows of the ranking that is shown, without what their numbers are unsure by."""
+        return BROWSER.evaluate("""[...document.querySelectorAll('.ranking')].filter((e) => e.offsetParent).flatMap((e) =>
+            [...e.querySelectorAll('tbody tr')].map((row) => [row.cells[1].textContent, row.cells[3].firstChild.textContent.trim()]))""")
+
+    def test_a_page_opens_with_a_ranking_that_another_takes_the_place_of_by_a_click(self):
+        show(SCRATCH.work / "page.html")
+        first = BROWSER.evaluate("document.querySelector('main section').id")
+        self.assertEqual(first, "board")
+        rows = self.board()
+        cases = [case for case in SCRATCH.result()["cases"] if case["params"]["spp"] == 9]
+        best = sorted((case["statistics"]["msegments_per_s"] for case in cases), reverse=True)
+        self.assertEqual([value for _, value in rows if value], [four_digits(rate) for rate in best])
+        tops = BROWSER.evaluate("['board', 'pictures', 'verdict'].map((id) => document.getElementById(id).offsetTop)")
+        self.assertEqual(tops, sorted(tops))
+        BROWSER.evaluate("document.querySelectorAll('.rankings label')[1].click()")
+        self.assertNotEqual(self.board(), rows)
+        self.assertEqual(BROWSER.evaluate("document.querySelectorAll('.rankings input:checked').length"), 1)
+
+    def test_devices_of_2016_have_their_place(self):
+        def as_the_thesis(result):
+            for case in result["cases"]:
+                case["params"].update(path_length=128)
+                case["statistics"]["msegments_per_s"] = 100
+            first = result["cases"][0]
+            first["params"].update(kernel="thesis", spp=10)
+            first["work"].update(samples=1000, segments=33000)
+
+        show(page_of("report", variant("thesis", as_the_thesis)))
+        names = [name for name, _ in self.board()]
+        self.assertEqual(names[0], "Radeon R9 290X (2016)")
+        self.assertEqual(names[-1], "FX-6300 Vishera (2016)")
+        self.assertEqual(self.board()[0][1], "128.2")  # 1024^2 x 1000 samples of 33 segments in 269.815 s
+
     def test_sorting_and_filtering(self):
         show(SCRATCH.work / "page.html")
         press = "document.querySelectorAll('#times th button')[4].click()"
@@ -202,6 +236,8 @@ class Page(unittest.TestCase):
             self.assertEqual(len(texts("#times tbody tr")), 15)
             self.assertEqual(len(texts(".pictures img")), 5)
             self.assertIn("fastest of 2 devices", "".join(texts("#verdict")))
+            shown = BROWSER.evaluate("[...document.querySelectorAll('.ranking')].map((e) => e.offsetParent !== null)")
+            self.assertEqual(shown, [True] + [False] * (len(shown) - 1))
             for i, case in enumerate(SCRATCH.result()["cases"]):
                 shown = "".join(texts(f"#r0c{i} dd"))
                 self.assertIn(f"median {four_digits(case['statistics']['median_ns'] / 1e6)}", shown)
@@ -230,6 +266,27 @@ class Page(unittest.TestCase):
         self.assertEqual([text.split(",")[0] for text in texts("#verdict td:first-child")], ["result.json", "second.json"])
         BROWSER.evaluate("document.querySelectorAll('#verdict td a')[1].click()")
         self.assertIn("second.json", texts(":target")[0])
+
+    def test_devices_of_several_runs_have_parts_of_their_own(self):
+        def other(result):
+            for device in result["devices"]:
+                device["name"] = "another " + device["name"]
+            result["pictures"] = []
+
+        show(page_of("report", "out/result.json", variant("another", other)))
+        self.assert_clean()
+        self.assertEqual(len(texts("#devices > h3")), 2)
+        self.assertEqual(len(texts("#devices > h4")), 2)
+        self.assertEqual(BROWSER.evaluate("[...document.querySelectorAll('.charts-of')].map((e) => e.querySelectorAll('canvas').length > 0)"),
+                         [True, True])
+        links = BROWSER.evaluate("""[...document.querySelectorAll('#rank-0 ~ .ranking a')].map((a) =>
+            [a.textContent, document.querySelector(a.hash).textContent])""")
+        self.assertTrue(links)
+        for device, part in links:
+            self.assertIn(device, part)
+        BROWSER.look(380, "dark")
+        self.assertLessEqual(BROWSER.evaluate("document.documentElement.scrollWidth"), 380)
+        BROWSER.screenshot(SHOTS / "devices.png")
 
     def test_a_swept_axis_has_bars_and_says_what_has_no_time(self):
         def sweep(result):
@@ -295,6 +352,24 @@ class Page(unittest.TestCase):
         self.assertIn("regressed: pt thesis 64x64 spp", texts("#verdict p")[0])
         self.assertEqual(len(texts("#changes svg.forest circle")), 6)
         BROWSER.screenshot(SHOTS / "compare.png")
+
+    def test_a_fleet_has_a_strip_of_dots_and_a_table_that_can_be_filtered(self):
+        words = (*changed(TINY, spp="2"), "-d", "pocl:1", "--expect", "n1", "--fleet", "fleet", "-q")
+        ran = SCRATCH.run(*words, SLURMD_NODENAME="n1")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        like = [json.loads(line) for line in (SCRATCH.work / "fleet/nodes/n1.jsonl").read_text().splitlines()]
+        for node in range(1, 9):
+            like[0]["host"]["node"] = f"n{node}"
+            like[1]["statistics"]["median_ns"] = 1e6 * (1.2 if node == 5 else 1)
+            SCRATCH.write(f"fleet/nodes/n{node}.jsonl", "".join(json.dumps(line) + "\n" for line in like))
+        show(page_of("report", "fleet"))
+        self.assert_clean()
+        self.assertEqual(len(texts("#classes circle")), 8)
+        self.assertEqual(texts("#classes .bad title"), ["n5/pocl:1 +20.0 % suspect, to be confirmed"])
+        BROWSER.evaluate("""(() => { const box = document.querySelector('#cards input');
+                            box.value = 'suspect'; box.dispatchEvent(new Event('input')); })()""")
+        self.assertEqual(texts("#cards output"), ["1 of 8 rows"])
+        BROWSER.screenshot(SHOTS / "fleet.png")
 
 
 if __name__ == "__main__":

@@ -54,6 +54,16 @@ WRONG_LIGHT = (
      "(void)in, (void)meets, (void)leaves, (void)other;", "standard errors"),
 )
 
+# Of bdpt, by 32 renders of each, at path length 8: smaller faults are tests/render/bdpt_test.cpp's.
+WRONG_ENDS = (
+    ("light that passes glass is not scaled", "lamp_in_glass", "bdpt/vertex.h",
+     "if (carries) path->throughput = vec_scale(path->throughput, squeezed);", "", "standard errors"),
+    ("light that the camera sees is left out", "lamp_in_glass", "bdpt/bdpt.cl",
+     "        show(world, picture, &light[count], &of_camera, traced COUNTED_ARGUMENT);\n", "", "standard errors"),
+    ("odds of vertices that are joined x 2", "eclipse", "bdpt/join.h", "g * (view->density * light->odds + light->density * view->odds)",
+     "2.0f * g * (view->density * light->odds + light->density * view->odds)", "standard errors"),
+)
+
 
 class Power(CliTest):
     def validated(self, kernels, code, *words, **axes):
@@ -97,6 +107,15 @@ class Power(CliTest):
         for name, scene, file, right, wrong, reason in WRONG_LIGHT:
             with self.subTest(name):
                 self.assert_rejected(self.validated(self.kernels(file, right, wrong), 4, kernel="pt_nee", scene=scene), reason)
+
+    def test_right_ends_are_accepted_and_wrong_ones_rejected(self):
+        words = {"kernel": "bdpt", "path_length": 8}
+        for scene in ("lamp_in_glass", "eclipse"):
+            with self.subTest(scene):
+                self.assert_accepted(self.validated(self.kernels(), 0, scene=scene, **words))
+        for name, scene, file, right, wrong, reason in WRONG_ENDS:
+            with self.subTest(name):
+                self.assert_rejected(self.validated(self.kernels(file, right, wrong), 4, scene=scene, **words), reason)
 
     def test_roulette_is_judged_by_its_picture(self):
         for kernel in ("pt", "pt_nee"):

@@ -1,4 +1,4 @@
-"""Every command of README.md runs as it stands there; a run that would take long, with --dry-run."""
+"""Every command of README.md and docs/ runs as it stands there; a run that would take long, with --dry-run."""
 
 import os
 import pathlib
@@ -6,11 +6,13 @@ import re
 import shlex
 import shutil
 import subprocess
+import sys
 import unittest
 
 from ptbench import BINARY, ONE, SOURCE, CliTest
 
-DOCUMENTS = ("README.md", "CONTRIBUTING.md")
+DOCUMENTS = ("README.md", "CONTRIBUTING.md", *sorted(f"docs/{file.name}" for file in (SOURCE / "docs").glob("*.md")))
+SCREEN = 50  # lines of a README that sells
 TREE = pathlib.Path(os.environ["PTB_BINARY_DIR"]).parent
 SMALL = ("--kernel", "pt", "--size", "16", "--spp", "2", "--path-length", "2", "--wg", "implicit")
 SHORT = ("compare ", "report ", "baseline", "list", "render", "--dry-run", "--dump-config", "--csv")  # these run for real
@@ -52,6 +54,8 @@ class Readme(CliTest):
         self.run_ok(*ONE, "--json", "old.json", "-q")
         for name in ("new", "a1", "a2", "a3", "b1", "b2", "b3"):
             shutil.copy(self.scratch.work / "old.json", self.scratch.work / f"{name}.json")
+        self.scratch.write("runs/1.json", (self.scratch.work / "old.json").read_text())
+        self.scratch.write("my.json", self.run_ok("--config", "ci", "--dump-config").stdout)
         for name in ("old", "new"):
             shutil.copytree(SOURCE / "kernels", self.scratch.work / name / "kernels")
 
@@ -86,8 +90,21 @@ class Readme(CliTest):
                 with self.subTest(document=document.name, target=target):
                     self.assertTrue((document.parent / target).exists())
 
+    def test_the_readme_is_one_screen_and_leads_to_every_document(self):
+        readme = (SOURCE / "README.md").read_text()
+        self.assertLessEqual(len(readme.splitlines()), SCREEN)
+        linked = set(re.findall(r"\]\((docs/[^)#]+)\)", readme))
+        self.assertEqual(linked, {name for name in DOCUMENTS if name.startswith("docs/")})
+
+    def test_the_board_is_that_of_the_archive(self):
+        """Remade by: scripts/readme.py build/release/bin/ptbench"""
+        sys.path.insert(0, str(SOURCE / "scripts"))
+        from readme import board_rows
+        rows = re.search(r"<!-- board -->\n\n((?:\|.*\n)+)", (SOURCE / "README.md").read_text())[1].splitlines()[2:]
+        self.assertEqual([[cell.strip() for cell in row.strip("|").split("|")] for row in rows], list(board_rows()))
+
     def test_exit_codes_are_those_of_the_help(self):
-        table = set(re.findall(r"^\| (\d+) \|", (SOURCE / "README.md").read_text(), re.M))
+        table = set(re.findall(r"^\| (\d+) \|", (SOURCE / "docs/ci.md").read_text(), re.M))
         told = self.run_ok("--help").stdout.split("Exit codes:")[1].split("\n")[0]
         self.assertEqual(table, set(re.findall(r"\b(\d+) ", told)))
 

@@ -152,8 +152,8 @@ class Axes(CliTest):
         for words, says in [
             (("--kernel", "ptt"), ('"ptt"', "did you mean pt?", "thesis, whitted, direct, pt, pt_nee")),
             (("--scene", "thesi"), ('"thesi"', "did you mean thesis?", "free_light, furnace, lamps, thesis")),
-            (("--config", "quik"), ('"quik"', "did you mean quick?", "ci, doctor, ladder, memory, quality, queues, quick, speed, thesis, tune, workgroups")),
-            (("--config", "."), ("no file", "ci, doctor, ladder, memory, quality, queues, quick, speed, thesis, tune, workgroups")),
+            (("--config", "quik"), ('"quik"', "did you mean quick?", "cards, ci, doctor, ladder, memory, quality, queues, quick, speed, thesis, tune, workgroups")),
+            (("--config", "."), ("no file", "cards, ci, doctor, ladder, memory, quality, queues, quick, speed, thesis, tune, workgroups")),
         ]:
             with self.subTest(words):
                 self.assert_refused(*words, says=says)

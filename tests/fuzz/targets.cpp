@@ -2,6 +2,11 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <unistd.h>
 
 #include "bench/compare/gate_file.h"
 #include "bench/compare/sessions.h"
@@ -15,6 +20,8 @@
 #include "bench/report/table.h"
 #include "bench/worker/probe.h"
 #include "bench/worker/protocol.h"
+#include "core/input/usage_error.h"
+#include "core/mesh/mesh_file.h"
 #include "core/scene/scene.h"
 
 namespace ptb::fuzz {
@@ -82,13 +89,42 @@ void feed_config(std::string_view bytes) {
     });
 }
 
+void require_whole(const Mesh& mesh) {
+    require(!mesh.faces.empty(), "a mesh has faces");
+    for (const Face& face : mesh.faces)
+        for (const std::uint32_t vertex : face)
+            require(vertex < mesh.vertices.size(), "a face has vertices that there are");
+}
+
 void feed_scene(std::string_view bytes) {
     accepted<UsageError>([&] {
-        const Scene scene = parse_scene(bytes, origin);
+        const Scene scene = parse_scene(bytes, origin, {.folder = "no folder", .most_triangles = 10'000});
+        require(triangle_count(scene) <= 10'000, "a scene has no more triangles than it may");
+        for (const Mesh& mesh : scene.meshes) require_whole(mesh);
         for (const Sphere& sphere : scene.spheres)
             require(sphere.radius > 0 && sphere.material < static_cast<int>(scene.materials.size()),
                     "a sphere has a radius and a material");
     });
+}
+
+/// The first byte says which format the others are.
+void feed_mesh(std::string_view bytes) {
+    static const std::vector<std::string> extensions = {".obj", ".ply", ".stl", ".gltf", ".glb"};
+    if (bytes.empty()) return;
+    const std::string& extension = extensions[static_cast<unsigned char>(bytes[0]) % extensions.size()];
+    const auto file =
+        std::filesystem::temp_directory_path() / fmt::format("ptbench_fuzz_{}{}", ::getpid(), extension);
+    std::ofstream(file, std::ios::binary) << bytes.substr(1);
+    accepted<UsageError>([&] {
+        const MeshFile mesh = read_mesh_file(file, {.most_triangles = 10'000});
+        require(!mesh.geometry.faces().empty(), "a mesh has faces");
+        for (const Face& face : mesh.geometry.faces())
+            for (const std::uint32_t vertex : face)
+                require(vertex < mesh.geometry.vertices().size(), "a face has vertices that there are");
+        loose_edge(mesh.geometry);
+        files_of_mesh(file);
+    });
+    std::filesystem::remove(file);
 }
 
 void feed_protocol(std::string_view bytes) {
@@ -107,11 +143,9 @@ void feed_protocol(std::string_view bytes) {
 }  // namespace
 
 const std::vector<Target>& targets() {
-    static const std::vector<Target> all = {{"result", feed_result},
-                                            {"journal", feed_journal},
-                                            {"config", feed_config},
-                                            {"scene", feed_scene},
-                                            {"protocol", feed_protocol}};
+    static const std::vector<Target> all = {{"result", feed_result}, {"journal", feed_journal},
+                                            {"config", feed_config}, {"scene", feed_scene},
+                                            {"mesh", feed_mesh},     {"protocol", feed_protocol}};
     return all;
 }
 

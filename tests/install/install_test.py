@@ -62,6 +62,10 @@ class MovedTree(unittest.TestCase):
         self.assertTrue(listing["devices"], "no device in the list of the moved binary")
         self.assertIn("thesis", json.dumps(listing), "the moved binary does not find its own scenes")
 
+    def test_meshes_of_shipped_scenes_are_installed(self):
+        words = ("-d", "cpu", "--kernel", "thesis", "--scene", "cornell", "--dry-run")
+        self.assertIn("cornell", run(self.prefix / "bin/ptbench", *words, HOME=str(self.home)))
+
     def test_nothing_is_written_to_an_empty_home(self):
         run(self.prefix / "bin/ptbench", "list", HOME=str(self.home))
         self.assertEqual(list(self.home.iterdir()), [])

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""counted.py RENDER_ONCE KERNEL SCENE: what the instrumented build of a kernel counts with one lane a work-item,
+"""counted.py RENDER_ONCE KERNEL SCENE [PATH_LENGTH]: what the instrumented build of a kernel counts with one lane a work-item,
 against the instructions that Oclgrind sees in the measured build of the same small render: the latter may be 0.1 %
 more. Work of no use is not counted: `pt` makes camera rays for samples that there are not, which are taken off here."""
 import os
@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 MORE = 0.001
-PIXELS, SPP, PATH_LENGTH = 64, 4, 16
+PIXELS, SPP = 64, 4
 # Instructions of vectors count as one: THESIS_WIDTH does so too. A call of dot stands for 7 operations, one
 # of normalize for those, a root, a division and a product with a vector.
 FLOPS = {"fadd": 1, "fsub": 1, "fmul": 1, "call llvm.fmuladd.f32()": 2, "call llvm.fmuladd.v4f32()": 2,
@@ -22,9 +22,9 @@ COPIED_BYTES = {"call llvm.memcpy.p0i8.p1i8.i64()": 48, "call llvm.memcpy.p1i8.p
 CAMERA_RAY = {"flops": 22, "roots": 1, "divisions": 1, "bytes": 0}
 
 
-def rendered(render_once, kernel, scene, *options):
+def rendered(render_once, kernel, scene, path_length, *options):
     command = ["oclgrind", "--inst-counts", "--build-options", "-cl-opt-disable -DTHESIS_WIDTH=1u",
-               render_once, kernel, "1", scene, str(SPP), str(PATH_LENGTH), *options]
+               render_once, kernel, "1", scene, str(SPP), path_length, *options]
     said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     assert "Oclgrind" in said, "the render was not Oclgrind's"
     return said
@@ -49,12 +49,12 @@ def counted(said):
     return {name: int(number) for number, name in re.findall(r"(\d+) (\w+)", re.search("counted: (.*)", said)[1])}
 
 
-def main(render_once, kernel, scene):
+def main(render_once, kernel, scene, path_length="16"):
     if not shutil.which("oclgrind"):
         print("no oclgrind here", file=sys.stderr)
         return 1 if os.environ.get("PTB_STRICT") else 77
-    instructions = seen(rendered(render_once, kernel, scene))
-    counts = counted(rendered(render_once, kernel, scene, " -DPTB_COUNT"))
+    instructions = seen(rendered(render_once, kernel, scene, path_length))
+    counts = counted(rendered(render_once, kernel, scene, path_length, " -DPTB_COUNT"))
     failures = 0
     for name, number in instructions.items():
         ratio = number / counts[name] if counts[name] else float(number == 0)

@@ -38,6 +38,7 @@ void expect_same(const Film& film, const Film& other) {
     EXPECT_EQ(film.segments, other.segments);
     EXPECT_EQ(film.full_length_paths, other.full_length_paths);
     EXPECT_EQ(film.shadow_rays, other.shadow_rays);
+    EXPECT_EQ(film.light_segments, other.light_segments);
 }
 
 /// All of `pt`'s, whose machinery others share; of those one lane, and what the device has unless told

@@ -144,6 +144,8 @@ std::string refusal_of(const ocl::Device& device, const std::string& kernel, con
 TEST(Variants, what_means_nothing_is_refused_with_the_reason) {
     const Scene scene = shipped_scene("thesis");
     on_every_device([&](const ocl::Device& device) {
+        EXPECT_EQ(refusal_of(device, "thesis", shipped_scene("cornell"), [](auto&) {}),
+                  "scene cornell has meshes: thesis sees spheres alone");
         EXPECT_EQ(refusal_of(device, "thesis", scene, [](auto& j) { j.variant.rng = Rng::hash; }),
                   "rng hash: thesis has auto, park_miller");
         EXPECT_EQ(

@@ -1,5 +1,7 @@
-// As much of NVIDIA's Management Library as an energy counter needs: one GPU, whose counter grows by 1.5 J a
-// reading. FAKE_NVML_ERROR is what it answers when asked for energy.
+// As much of NVIDIA's Management Library as ptbench asks: one GPU, whose counter grows by 1.5 J a reading,
+// which is hot and held back by its power cap, and does not tell its memory's clock. FAKE_NVML_ERROR is what
+// it answers when asked for energy.
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -35,6 +37,42 @@ int nvmlDeviceGetTotalEnergyConsumption(void* gpu, unsigned long long* energy) {
     if (error != nullptr) return std::atoi(error);
     if (!ready || gpu != &the_gpu) return 2;
     *energy = energy_mj += 1500;
+    return 0;
+}
+
+int nvmlDeviceGetSerial(void*, char* text, unsigned bytes) {
+    std::snprintf(text, bytes, "1650522012345");
+    return 0;
+}
+
+int nvmlDeviceGetEccMode(void*, int* now, int* after_restart) {
+    *now = 1;
+    *after_restart = 0;
+    return 0;
+}
+
+int nvmlDeviceGetMaxClockInfo(void*, int clock, unsigned* mhz) {
+    *mhz = clock == 1 ? 1980 : 2619;
+    return 0;
+}
+
+int nvmlDeviceGetClockInfo(void*, int clock, unsigned* mhz) {
+    *mhz = 1410;
+    return clock == 1 ? 0 : 3;
+}
+
+int nvmlDeviceGetEnforcedPowerLimit(void*, unsigned* milliwatts) {
+    *milliwatts = 700000;
+    return 0;
+}
+
+int nvmlDeviceGetTemperature(void*, int, unsigned* celsius) {
+    *celsius = 81;
+    return 0;
+}
+
+int nvmlDeviceGetCurrentClocksThrottleReasons(void*, unsigned long long* bits) {
+    *bits = 0x1 | 0x4 | 0x20;
     return 0;
 }
 

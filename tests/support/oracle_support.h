@@ -1,10 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "core/mesh/shapes/shapes.h"
+#include "core/mesh/transform.h"
 #include "core/oracle/oracle.h"
 #include "core/scene/scene.h"
 
@@ -56,6 +61,37 @@ inline Scene narrow_view() {
 inline void add(Scene& scene, const Vec3& centre, double radius, const Material& material) {
     scene.spheres.push_back({centre, radius, static_cast<int>(scene.materials.size())});
     scene.materials.push_back(material);
+}
+
+/// Triangles by their corners, counter-clockwise seen from outside.
+inline void add_triangles(Scene& scene, const std::vector<std::array<Vec3, 3>>& triangles,
+                          const Material& material) {
+    Mesh mesh;
+    mesh.material = static_cast<int>(scene.materials.size());
+    for (const auto& corners : triangles) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+        mesh.faces.push_back({first, first + 1, first + 2});
+    }
+    scene.meshes.push_back(mesh);
+    scene.materials.push_back(material);
+}
+
+/// A shape of core/mesh.
+inline void add_shape(Scene& scene, const std::string& name, int detail, const Transform& transform,
+                      const Material& material) {
+    const Placing placed(transform);
+    for (const Shape& shape : shapes()) {
+        if (shape.name != name) continue;
+        const Geometry geometry = shape.make(detail);
+        std::vector<std::array<Vec3, 3>> triangles;
+        for (const Face& face : geometry.faces()) {
+            const auto corner = [&](std::size_t i) { return placed(geometry.vertices()[face[i]]); };
+            triangles.push_back({corner(0), corner(1), corner(2)});
+        }
+        return add_triangles(scene, triangles, material);
+    }
+    ADD_FAILURE() << "no shape " << name;
 }
 
 /// A matte floor of albedo 1/2 in the plane y = 0, all but flat, and the camera looking at its origin from

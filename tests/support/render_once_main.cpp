@@ -1,7 +1,7 @@
 // render_once KERNEL LANES SCENE [SPP PATH_LENGTH [OPTIONS]]: renders 8x8 pixels, 2 samples each and paths of
-// 8 segments unless told otherwise, on the first device; SCENE is a shipped scene, "far_apart", "at_a_wall"
-// or "balls:N", OPTIONS are more of the build; words like "rng=park_miller", anywhere, choose a variant. For
-// tools that watch a whole process, such as Oclgrind. Prints the counts.
+// 8 segments unless told otherwise, on the first device; SCENE is a shipped scene, "far_apart", "at_a_wall",
+// "mesh_room" or "balls:N", OPTIONS are more of the build; words like "rng=park_miller", anywhere, choose a
+// variant. For tools that watch a whole process, such as Oclgrind. Prints the counts.
 #include <cstring>
 #include <exception>
 #include <string>
@@ -28,6 +28,7 @@ namespace {
 ptb::Scene scene_of(const std::string& name) {
     const std::string balls = "balls:";
     if (name.rfind(balls, 0) == 0) return ptb::mixed_balls(std::stoi(name.substr(balls.size())));
+    if (name == "mesh_room") return ptb::mesh_room();
     if (name == "far_apart") return ptb::balls_far_apart(10'000);
     if (name == "at_a_wall") return ptb::balls_at_a_wall(1e8, "matte");
     return ptb::shipped_scene(name);

@@ -140,6 +140,8 @@ Scene moved(const Scene& scene, double scale, const Vec3& by) {
         sphere.centre = sphere.centre * scale + by;
         sphere.radius *= scale;
     }
+    for (Mesh& mesh : result.meshes)
+        for (Vec3& vertex : mesh.vertices) vertex = vertex * scale + by;
     return result;
 }
 
@@ -172,6 +174,61 @@ Scene balls_at_a_wall(double radius, const std::string& wall) {
     if (is_water)
         for (Sphere& ball : scene.spheres) ball.centre.y -= ball.material == 4 ? 0 : 3;
     scene.spheres.push_back({{0, is_room ? radius : -radius, 0}, radius, is_room ? 5 : is_water ? 6 : 1});
+    return scene;
+}
+
+Scene mesh_room() {
+    return parse_scene(R"({
+        "name": "mesh_room",
+        "camera": { "position": [0, 0, -2.5], "look_at": [0, -0.2, 0], "up": [0, 1, 0], "fov_deg": 70 },
+        "materials": {
+            "wall": { "type": "matte", "albedo": [0.7, 0.6, 0.5] },
+            "lamp": { "type": "emitter", "radiance": [10, 9, 8] },
+            "mirror": { "type": "mirror", "reflectance": [0.9, 0.8, 0.9] },
+            "glass": { "type": "dielectric", "ior": 1.5 }
+        },
+        "spheres": [
+            { "centre": [1.2, -1.5, -0.5], "radius": 0.7, "material": "glass" },
+            { "centre": [-1.8, -2.2, -0.6], "radius": 0.6, "material": "wall" }
+        ],
+        "meshes": [
+            { "shape": "box", "detail": 1, "material": "wall", "transform": { "scale": 3 } },
+            { "shape": "box", "detail": 0, "material": "lamp",
+              "transform": { "scale": 0.5, "rotate_deg": [10, 20, 30], "translate": [0, 2, 0] } },
+            { "shape": "sphere", "detail": 3, "material": "glass",
+              "transform": { "scale": 0.8, "translate": [-1, -1.2, 0.5] } },
+            { "shape": "box", "detail": 2, "material": "mirror",
+              "transform": { "scale": 0.6, "rotate_deg": [0, 30, 0], "translate": [1.4, 0.2, 1.4] } }
+        ]
+    })",
+                       "mesh_room");
+}
+
+Scene lone_triangle() {
+    Scene scene{"lone_triangle", looking_along_z(-5), {light({1, 2, 3})}, {}, {}};
+    scene.meshes.push_back({"triangle", 0, {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+    return scene;
+}
+
+Scene needle_room(int strips) {
+    Scene scene{"needle_room",
+                {{0.3, 0.2, 0.7}, {0.31, -0.4, -1}, {0, 1, 0}, 90},
+                {dome({1, 1, 1}, {0.5, 0.6, 0.7})},
+                {},
+                {}};
+    Mesh mesh{"needles", 0, {}, {}};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const double wall : {-1.0, 1.0})
+            for (int i = 0; i <= strips; ++i)
+                for (const double end : {-1.0, 1.0}) {
+                    const double along = 2.0 * i / strips - 1;
+                    const Vec3 turns[] = {{wall, along, end}, {end, wall, along}, {along, end, wall}};
+                    mesh.vertices.push_back(turns[axis]);
+                    const auto last = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+                    if (i == 0) continue;
+                    mesh.faces.push_back({last - 2, last - 1, last});
+                }
+    scene.meshes.push_back(mesh);
     return scene;
 }
 

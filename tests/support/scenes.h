@@ -36,4 +36,14 @@ Scene balls_far_apart(double distance);
 /// wall is matte, or the surface of water that they lie under, or the room itself.
 Scene balls_at_a_wall(double radius, const std::string& wall);
 
+/// A closed room of triangles with meshes in it: a lamp, a ball of glass and a mirror, all cut in pieces, and
+/// a sphere of glass and a matte one. The camera is inside.
+Scene mesh_room();
+
+/// One triangle that shines, before the camera.
+Scene lone_triangle();
+
+/// A closed room of needles, two for each of `strips` strips of a wall, that all shine and scatter on.
+Scene needle_room(int strips);
+
 }  // namespace ptb

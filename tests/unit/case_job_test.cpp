@@ -5,11 +5,11 @@
 namespace ptb {
 namespace {
 
-CaseJob job_of(const Case& params) {
+CaseJob job_of(const Case& params, const Scene& scene = {}) {
     DeviceInfo device;
     device.default_lanes = 16;
     const Integrator& kernel = integrator(params.kernel);
-    return {params, nullptr, &kernel, render_job(params, kernel, device, 7)};
+    return {params, nullptr, &kernel, render_job(params, kernel, device, scene, 7)};
 }
 
 Case pt_case() { return {"pocl:0", "pt", "thesis", {640, 480}, 10, 5, {64, 0}, 0}; }

@@ -59,15 +59,16 @@ TEST(Csv, noise_and_efficiency_come_last) {
 
 TEST(Csv, shadow_rays_stand_beside_segments) {
     ResultFile f = one_case();
-    EXPECT_THAT(csv(f),
-                AllOf(HasSubstr(",segments,shadow_rays,"), HasSubstr(",msegments_per_s,mrays_per_s,")));
+    EXPECT_THAT(csv(f), AllOf(HasSubstr(",segments,shadow_rays,light_segments,"),
+                              HasSubstr(",msegments_per_s,mrays_per_s,")));
     f.cases[0].work = Work{};
     f.cases[0].work->segments = 5000;
     f.cases[0].statistics->msegments_per_s = 16;
-    EXPECT_THAT(second_line(csv(f)), AllOf(HasSubstr(",16.000000,,"), HasSubstr(",5000,0,")));
+    EXPECT_THAT(second_line(csv(f)), AllOf(HasSubstr(",16.000000,,"), HasSubstr(",5000,0,0,")));
     f.cases[0].work->shadow_rays = 300;
+    f.cases[0].work->light_segments = 40;
     f.cases[0].statistics->mrays_per_s = 22;
-    EXPECT_THAT(second_line(csv(f)), AllOf(HasSubstr(",16.000000,22.000000,"), HasSubstr(",5000,300,")));
+    EXPECT_THAT(second_line(csv(f)), AllOf(HasSubstr(",16.000000,22.000000,"), HasSubstr(",5000,300,40,")));
 }
 
 TEST(Csv, commas_and_quotes_are_quoted) {

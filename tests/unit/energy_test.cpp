@@ -85,6 +85,40 @@ TEST(Nvml, what_cannot_be_read_has_a_reason) {
                 HasSubstr("nvmlDeviceGetTotalEnergyConsumption says 3 (Not Supported)"));
 }
 
+TEST(Nvml, what_it_tells_of_the_board_is_a_fact_of_the_device) {
+    DeviceInfo device;
+    device.vendor = "NVIDIA Corporation";
+    device.uuid = gpu;
+    describe_board(device, PTB_FAKE_NVML);
+    EXPECT_EQ(device.serial, "1650522012345");
+    EXPECT_EQ(device.vbios, "") << "it does not tell";
+    EXPECT_EQ(device.ecc, true) << "as it is, not as it will be";
+    EXPECT_EQ(device.max_clock_mhz, 1980);
+    EXPECT_EQ(device.max_memory_clock_mhz, 2619);
+    EXPECT_EQ(device.power_limit_w, 700);
+    DeviceInfo other;
+    other.vendor = "AMD";
+    other.uuid = gpu;
+    describe_board(other, PTB_FAKE_NVML);
+    EXPECT_EQ(other.serial, "");
+}
+
+TEST(Nvml, the_state_names_what_holds_the_clock_back) {
+    DeviceInfo device;
+    device.vendor = "NVIDIA Corporation";
+    device.uuid = gpu;
+    const auto board = nvml_gpu(device, PTB_FAKE_NVML);
+    ASSERT_TRUE(board);
+    const GpuState state = board->state();
+    EXPECT_EQ(state.clock_mhz, 1410);
+    EXPECT_EQ(state.memory_clock_mhz, std::nullopt);
+    EXPECT_EQ(state.temperature_c, 81);
+    EXPECT_EQ(state.power_w, std::nullopt);
+    EXPECT_THAT(state.throttle, testing::ElementsAre("power cap", "software thermal"));
+    device.uuid = std::string(32, 'f');
+    EXPECT_FALSE(nvml_gpu(device, PTB_FAKE_NVML));
+}
+
 /// 5 W when idle, 100 W in samples; the clock is the test's.
 struct Meter : testing::Test {
     double now_s = 10, joules = 1000;

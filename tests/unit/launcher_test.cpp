@@ -1,6 +1,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -36,8 +39,17 @@ bool mentions(const std::filesystem::path& file, const std::string& text) {
 class Launcher : public testing::Test {
   protected:
     void TearDown() override {
+        // what was killed is gone once a busy system has got around to it
+        for (int i = 0; i < 100 && !left().empty(); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        EXPECT_EQ(left(), std::vector<std::string>());
+    }
+
+    std::vector<std::string> left() const {
+        std::vector<std::string> processes;
         for (const auto& entry : std::filesystem::directory_iterator("/proc"))
-            EXPECT_FALSE(mentions(entry.path() / "environ", mark_)) << "left: " << entry.path();
+            if (mentions(entry.path() / "environ", mark_)) processes.push_back(entry.path());
+        return processes;
     }
 
     Coordinator behind(

@@ -137,6 +137,29 @@ TEST(Noise, is_the_squared_error_to_be_expected) {
     EXPECT_LT(e.all->standard_error / e.all->rel_mse, 0.01);
 }
 
+TEST(Noise, of_pairs_is_half_the_squared_difference_in_samples_of_the_image) {
+    PairedNoise paired(four_pixels, {2, 2}, 40, 10);
+    EXPECT_EQ(paired.refusal(), "");
+    const Image ones = flat({2, 2}, 1);
+    paired.add(ones, flat({2, 2}, 2));  // half of 1 for ten samples, an eighth for forty
+    paired.add(flat({2, 2}, 3), ones);  // half of 4
+    const auto e = paired.noise();
+    EXPECT_THAT(e.all->rel_mse, DoubleNear(0.0165675597 * 2.5 * 2.5, 1e-7)) << "0.3125, and not 0.05";
+    EXPECT_THAT(e.all->standard_error, DoubleNear(0.0165675597 * 2.5 * 1.5, 1e-7)) << "1 and 4 of the pairs";
+    EXPECT_EQ(e.variance_from, "passes");
+    EXPECT_THAT(PairedNoise(four_pixels, {3, 3}, 40, 10).refusal(), HasSubstr("neither a multiple"));
+}
+
+TEST(Noise, of_pairs_leaves_out_the_worst_hundredth_of_the_pixels) {
+    const Size size{20, 10};
+    std::vector<float> values(200, 2);
+    values[17] = values[140] = 101;
+    PairedNoise paired(reference(flat(size, 1)), size, 1, 1);
+    for (int i = 0; i < 2; ++i) paired.add(grey(size, values), flat(size, 1));
+    EXPECT_THAT(paired.noise().best_99->rel_mse, DoubleNear(0.5 / 1.01, 1e-6));
+    EXPECT_THAT(paired.noise().all->rel_mse, DoubleNear((198 * 0.5 + 2 * 5000) / 1.01 / 200, 1e-3));
+}
+
 Efficiency known(double rel_mse, double standard_error) {
     Efficiency e;
     e.all = e.best_99 = Noise{rel_mse, standard_error, {}, {}, {}};

@@ -63,7 +63,7 @@ TEST(Placement, leaves_shipped_scenes_where_they_are) {
 
 TEST(Placement, finds_a_scene_wherever_it_is) {
     for (const Vec3 by : {Vec3{1e6, 0, 0}, Vec3{0, -1e6, 0}, Vec3{1e4, 1e6, -1e5}}) {
-        const Placement placement = place(seen_from(two_balls(), by));
+        const Placement placement = place(spheres_seen_from(two_balls(), by));
         EXPECT_THAT(placement.forms, Each(Form::plain));
         EXPECT_LT(length(placement.origin + by), 10) << "the middle of the balls, or the camera";
     }
@@ -144,7 +144,7 @@ TEST(DeviceScene, has_careful_spheres_in_the_middle_and_distant_ones_in_the_midd
 TEST(EngineOptions, let_paths_carry_gaps_only_where_and_while_their_error_is_bearable) {
     EXPECT_THAT(gpu_options(shipped("thesis"), 128), HasSubstr("-DSCENE_CARRIED"));
     EXPECT_THAT(gpu_options(shipped("thesis"), 1'000'000), Not(HasSubstr("-DSCENE_CARRIED")));
-    EXPECT_THAT(gpu_options(seen_from(two_balls(), {1e6, 0, 0}), 128), HasSubstr("-DSCENE_CARRIED"));
+    EXPECT_THAT(gpu_options(spheres_seen_from(two_balls(), {1e6, 0, 0}), 128), HasSubstr("-DSCENE_CARRIED"));
     Scene scene = two_balls();
     scene.spheres.push_back({{0, -1e6 - 1, 0}, 1e6, 1});
     EXPECT_THAT(gpu_options(scene, 2), Not(HasSubstr("-DSCENE_CARRIED")));

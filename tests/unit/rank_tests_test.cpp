@@ -107,13 +107,13 @@ TEST(holm, multiplies_the_smallest_most_and_never_falls) {
 }
 
 TEST(prediction, is_students_interval_for_one_more_value) {
-    const auto p = predict(Values{1.0, 1.2, 0.9, 1.1, 1.05}, 1.4, 0.95);
+    const auto p = predict(Values{1.0, 1.2, 0.9, 1.1, 1.05}, Values{1.4}, 0.95);
     ASSERT_TRUE(p);
     EXPECT_NEAR(p->difference, 0.35, 1e-12);
     EXPECT_NEAR(p->p, 0.04603448518222349, 1e-9);
     EXPECT_NEAR(p->low, 0.009956309670872132, 1e-9);
     EXPECT_NEAR(p->high, 0.6900436903291276, 1e-9);
-    EXPECT_FALSE(predict(Values{1}, 1, 0.95));
+    EXPECT_FALSE(predict(Values{1}, Values{1}, 0.95));
 }
 
 TEST(smallest_effect, is_the_larger_of_power_and_noise) {

@@ -27,6 +27,13 @@ TEST(Statistics, rates_are_millions_a_second_of_the_median) {
     EXPECT_DOUBLE_EQ(statistics.mrays_per_s.value(), 22) << "segments and shadow rays";
 }
 
+TEST(Statistics, segments_of_paths_from_lamps_are_rays_too) {
+    Work both_ends = work(8'000'000, 3'000'000);
+    both_ends.light_segments = 5'000'000;
+    EXPECT_DOUBLE_EQ(in_half_a_second(both_ends).msegments_per_s, 16);
+    EXPECT_DOUBLE_EQ(in_half_a_second(both_ends).mrays_per_s.value(), 32);
+}
+
 TEST(Statistics, kernels_without_shadow_rays_have_no_rate_of_rays) {
     EXPECT_EQ(in_half_a_second(work(8'000'000, 0)).mrays_per_s, std::nullopt);
 }

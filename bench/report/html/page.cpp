@@ -1,5 +1,7 @@
 #include "bench/report/html/page.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "bench/plan/config.h"
@@ -22,22 +24,28 @@ std::string machine_text(const ResultFile& r) {
         r.run.git_dirty ? ", changed" : "", r.run.config, r.run.seed);
 }
 
-/// Once for a single run; under its name for each of several, in headings with `ids` where there are any.
+/// Once for a single run; under its name for each of several.
 template <class Make>
-std::string of_each(const std::vector<PageRun>& runs, Make make, std::string (*ids)(std::size_t) = nullptr) {
+std::string of_each(const std::vector<PageRun>& runs, Make make) {
     std::string html;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const std::string content = make(runs[i], i);
         const bool named = runs.size() > 1 && !content.empty();
-        const std::string id = ids != nullptr ? fmt::format(" id=\"{}\"", ids(i)) : "";
-        html += (named ? fmt::format("<h3{}>{}</h3>\n", id, html_text(run_name(runs, i))) : "") + content;
+        html += (named ? fmt::format("<h3>{}</h3>\n", html_text(run_name(runs, i))) : "") + content;
     }
     return html;
 }
 
+std::vector<std::string> dates(const std::vector<PageRun>& runs) {
+    std::vector<std::string> all;
+    for (const PageRun& run : runs) all.push_back(run.result.run.started_at.substr(0, 10));
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
 std::string title(const std::vector<PageRun>& runs) {
-    const std::string first = "ptbench: " + run_name(runs, 0);
-    return runs.size() == 1 ? first : fmt::format("{} and {} more", first, runs.size() - 1);
+    if (runs.size() == 1) return "ptbench: " + run_name(runs, 0);
+    return fmt::format("ptbench: {} runs, {} to {}", runs.size(), dates(runs).front(), dates(runs).back());
 }
 
 std::string verdict(const PageRun& run, std::size_t) {
@@ -55,14 +63,12 @@ std::string figure(const Figure& shown) {
 }
 
 /// Those of one group side by side, under its title.
-std::string pictures(const PageRun& run, std::size_t) {
-    if (run.figures.empty()) return "<p>The result file names no picture.</p>\n";
+std::string pictures(const std::vector<Figure>& figures) {
     std::string html;
-    for (std::size_t i = 0; i < run.figures.size();) {
-        const std::string& group = run.figures[i].group;
+    for (std::size_t i = 0; i < figures.size();) {
+        const std::string& group = figures[i].group;
         std::string together;
-        for (; i < run.figures.size() && run.figures[i].group == group; ++i)
-            together += figure(run.figures[i]);
+        for (; i < figures.size() && figures[i].group == group; ++i) together += figure(figures[i]);
         if (!group.empty()) html += fmt::format("<h4>{}</h4>\n", html_text(group));
         html += fmt::format("<div class=\"pictures\">{}</div>\n", together);
     }
@@ -105,16 +111,86 @@ std::string facts(const PageRun& run, std::size_t) {
                        html_facts(json));
 }
 
+std::vector<Ranking> rankings_of(const std::vector<PageRun>& runs, const PublishedTable& published) {
+    std::vector<const ResultFile*> results;
+    for (const PageRun& run : runs) results.push_back(&run.result);
+    return rankings(results, published);
+}
+
+std::string device_id(std::size_t group) { return fmt::format("device-{}", group); }
+
+/// What can be seen of several runs, each reference once.
+std::vector<Figure> figures_of(const std::vector<PageRun>& runs, const RunGroup& group) {
+    std::vector<Figure> all;
+    for (const std::size_t i : group.runs)
+        for (const Figure& each : runs[i].figures)
+            if (!each.webp.empty() && std::find(all.begin(), all.end(), each) == all.end())
+                all.push_back(each);
+    return all;
+}
+
+/// Why pictures are not there.
+std::vector<std::string> without_picture(const PageRun& run) {
+    std::vector<std::string> captions;
+    for (const Figure& each : run.figures)
+        if (each.webp.empty()) captions.push_back(each.caption);
+    return captions;
+}
+
+/// A run among others: what came out in sentences, and its tables folded.
+std::string run_part(const std::vector<PageRun>& runs, std::size_t i) {
+    return fmt::format("<h4 id=\"{}\">{}</h4>\n{}<details><summary>tables</summary>{}{}</details>\n",
+                       run_id(i), html_text(run_name(runs, i)), verdict(runs[i], i), tables(runs[i], i),
+                       html_paragraphs(without_picture(runs[i])));
+}
+
+/// Devices with their pictures and charts, then what each of their runs found.
+std::string device_part(const std::vector<PageRun>& runs, const RunGroup& group, std::size_t index) {
+    std::string html = fmt::format("<h3 id=\"{}\">{}</h3>\n", device_id(index), html_text(group.name));
+    html += pictures(figures_of(runs, group));
+    html += fmt::format("<div class=\"charts-of\" data-runs=\"{}\"></div>\n", fmt::join(group.runs, " "));
+    for (const std::size_t i : group.runs) html += run_part(runs, i);
+    return html;
+}
+
+std::string device_parts(const std::vector<PageRun>& runs, const std::vector<RunGroup>& groups) {
+    std::string html;
+    for (std::size_t i = 0; i < groups.size(); ++i) html += device_part(runs, groups[i], i);
+    return html;
+}
+
+/// Of each run, where its devices' part is; a single run has one for all, its pictures.
+std::vector<std::string> device_links(const std::vector<PageRun>& runs, const std::vector<RunGroup>& groups) {
+    std::vector<std::string> links(runs.size(), "pictures");
+    for (std::size_t g = 0; g < groups.size() && runs.size() > 1; ++g)
+        for (const std::size_t i : groups[g].runs) links[i] = device_id(g);
+    return links;
+}
+
+std::string pictures_or_why_none(const PageRun& run) {
+    return run.figures.empty() ? "<p>The result file names no picture.</p>\n" : pictures(run.figures);
+}
+
+/// What is told of a single run, or of each of several by its devices.
+std::string what_came_out(const std::vector<PageRun>& runs, const std::vector<RunGroup>& groups) {
+    if (runs.size() == 1)
+        return part("pictures", "Pictures", pictures_or_why_none(runs.front())) +
+               part("verdict", "What came out", verdict(runs.front(), 0));
+    return part("devices", "Devices", device_parts(runs, groups)) +
+           part("verdict", "The runs", runs_table(runs));
+}
+
 }  // namespace
 
 std::string page(const std::vector<PageRun>& runs, const PublishedTable& published) {
+    const auto rankings = rankings_of(runs, published);
+    const auto groups = run_groups(runs, rankings);
     const std::string main =
-        part("verdict", "What came out", runs_table(runs) + of_each(runs, verdict, run_id)) +
-        part("times", "Times", times_table(runs, published)) +
+        part("board", "Fastest first", boards(rankings, device_links(runs, groups))) +
+        what_came_out(runs, groups) + part("times", "Times", times_table(runs, published)) +
         part("charts", "Charts",
              "<p class=\"no-script\">Charts need JavaScript; their figures are in the tables.</p>\n") +
-        part("pictures", "Pictures", of_each(runs, pictures)) +
-        part("tables", "Tables", of_each(runs, tables)) +
+        part("tables", "Tables", runs.size() == 1 ? tables(runs.front(), 0) : "") +
         part("cases", "Every case", of_each(runs, case_list) + of_each(runs, facts)) +
         part("raw", "Raw data",
              "<p class=\"no-script\">The result files are in this page; JavaScript unpacks them.</p>\n");

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/compare/history.h"
 #include "bench/compare/row.h"
 #include "bench/report/html/pictures.h"
 #include "bench/report/published.h"
@@ -29,5 +30,9 @@ struct ComparedPage {
     std::string json;                    ///< of the comparison, to download
 };
 std::string compared_page(const ComparedPage& compared);
+
+/// A history as one such file: without JavaScript its tables, with a drawn trend in each line; with it
+/// charts.
+std::string history_page(const History& history);
 
 }  // namespace ptb

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bench/report/html/page.h"
+#include "bench/report/ranking.h"
 
 namespace ptb {
 
@@ -13,6 +14,17 @@ std::string run_name(const std::vector<PageRun>& runs, std::size_t index);
 std::string run_id(std::size_t index);
 /// Several runs in a table whose rows lead to the verdicts on them; nothing for one.
 std::string runs_table(const std::vector<PageRun>& runs);
+
+/// Runs of the same devices with the same drivers.
+struct RunGroup {
+    std::string name;               ///< of the devices
+    std::vector<std::size_t> runs;  ///< in the order of the page
+};
+/// Those of the devices that stand first in a ranking first.
+std::vector<RunGroup> run_groups(const std::vector<PageRun>& runs, const std::vector<Ranking>& rankings);
+
+/// Rankings to be chosen from; the first is shown. Of each run, where the part of its devices is.
+std::string boards(const std::vector<Ranking>& rankings, const std::vector<std::string>& links);
 
 /// The times of all runs, each row leading to its case, and the published ones.
 std::string times_table(const std::vector<PageRun>& runs, const PublishedTable& published);

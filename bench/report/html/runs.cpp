@@ -29,6 +29,19 @@ std::string drivers_text(const ResultFile& result) {
     return fmt::format("{}", fmt::join(versions, ", "));
 }
 
+/// Runs, those that the first ranking names first.
+std::vector<std::size_t> in_order(std::size_t runs, const std::vector<Ranking>& rankings) {
+    std::vector<std::size_t> order;
+    if (!rankings.empty())
+        for (const Standing& standing : rankings.front().standings)
+            if (standing.run) order.push_back(*standing.run);
+    for (std::size_t i = 0; i < runs; ++i) order.push_back(i);
+    std::vector<std::size_t> once;
+    for (const std::size_t i : order)
+        if (std::find(once.begin(), once.end(), i) == once.end()) once.push_back(i);
+    return once;
+}
+
 }  // namespace
 
 std::string run_name(const std::vector<PageRun>& runs, std::size_t index) {
@@ -57,6 +70,24 @@ std::string runs_table(const std::vector<PageRun>& runs) {
         extras.links.push_back(run_id(i));
     }
     return html_table(grid, fmt::format("{} runs", runs.size()), extras);
+}
+
+std::vector<RunGroup> run_groups(const std::vector<PageRun>& runs, const std::vector<Ranking>& rankings) {
+    std::vector<RunGroup> groups;
+    std::vector<std::string> keys;
+    for (const std::size_t i : in_order(runs.size(), rankings)) {
+        const std::string name = devices_text(runs[i].result);
+        const std::string key = name + "\n" + drivers_text(runs[i].result);
+        const auto known = std::find(keys.begin(), keys.end(), key);
+        const auto place = static_cast<std::size_t>(known - keys.begin());
+        if (known == keys.end()) {
+            keys.push_back(key);
+            groups.push_back({name, {}});
+        }
+        groups[place].runs.push_back(i);
+    }
+    for (RunGroup& group : groups) std::sort(group.runs.begin(), group.runs.end());
+    return groups;
 }
 
 std::string run_id(std::size_t index) { return fmt::format("run-{}", index); }

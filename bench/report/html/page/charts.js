@@ -23,11 +23,12 @@ const timedPoints = (runs) =>
 const workFields = (points) => [...new Set(['run', 'device', 'key', ...points.flatMap((p) => p.axes)])].filter(
   (field) => !['spp', 'work_group'].includes(field) && !field.endsWith('_from'));
 
-/** Points in groups that share the `fields`, each under a name of those fields that differ between groups. */
-function series(points, fields) {
+/** Groups of at least so many points that share the `fields`, each under a name of those fields that differ between groups. */
+function series(all, fields, least = 1) {
+  const groups = [...Map.groupBy(all, (p) => JSON.stringify(fields.map((f) => p[f]))).values()].filter((g) => g.length >= least);
+  const points = groups.flat();
   const values = (f) => new Set(points.map((p) => p[f])).size;
   const varying = fields.filter((f) => values(f) > (f === 'key' ? values('device') : 1));
-  const groups = [...Map.groupBy(points, (p) => JSON.stringify(fields.map((f) => p[f]))).values()];
   const part = (p, f) => (f === 'run' ? p.runName : ['device', 'key', 'kernel', 'size'].includes(f) ? p[f] : `${f} ${p[f]}`);
   const name = (p, shown) => plain(shown.map((f) => part(p, f)).join(' ') || p.device);
   const distinct = (shown) => new Set(groups.map(([p]) => name(p, shown))).size === groups.length;
@@ -110,8 +111,7 @@ function lineChart(all, x, y, point, words, extra = () => []) {
 const bySpp = (a, b) => a.spp - b.spp;
 
 function sppChart(points) {
-  const all = series(points.filter((p) => p.work_group === 'implicit').sort(bySpp), workFields(points))
-    .filter((s) => s.points.length > 1);
+  const all = series(points.filter((p) => p.work_group === 'implicit').sort(bySpp), workFields(points), 2);
   if (!all.length) return [];
   const point = (p) => ({x: p.spp, y: p.time, low: p.low, high: p.high});
   return [lineChart(all, axis('logarithmic', 'samples per pixel'), axis('logarithmic', 'time, ms'), point,
@@ -120,8 +120,7 @@ function sppChart(points) {
 
 /** ms per SPP over SPP: a straight line of time is a hyperbola here, whose overhead can be seen. */
 function scalingChart(points, runs) {
-  const all = series(points.filter((p) => p.work_group === 'implicit').sort(bySpp), workFields(points))
-    .filter((s) => s.points.length > 1);
+  const all = series(points.filter((p) => p.work_group === 'implicit').sort(bySpp), workFields(points), 2);
   const same = (f, p) => f.device === p.key &&
     Object.keys(f).every((key) => ['device', 'spp'].includes(key) || f[key] === p[key]);
   const fitOf = (p) => runs[p.run].content.fits.find(({params}) => same(params, p));
@@ -139,7 +138,7 @@ function scalingChart(points, runs) {
 
 /** Of each work that with the most samples per pixel, whose times are the least noisy. */
 function workGroupChart(points) {
-  const all = series(points.filter((p) => !p.work_group.includes('x')), workFields(points)).map(({name, points: group}) => {
+  const all = series(points.filter((p) => !p.work_group.includes('x')), workFields(points), 3).map(({name, points: group}) => {
     const most = Math.max(...group.map((p) => p.spp));
     return {name, points: group.filter((p) => p.spp === most)};
   }).filter((s) => s.points.length > 2);
@@ -158,7 +157,7 @@ function workGroupChart(points) {
 function historyChart(points) {
   const dates = [...new Set(points.map((p) => p.date))].sort();
   if (dates.length < 2) return [];
-  const all = series(points, [...workFields(points).filter((f) => f !== 'run'), 'spp', 'work_group']).filter((s) => s.points.length > 1);
+  const all = series(points, [...workFields(points).filter((f) => f !== 'run'), 'spp', 'work_group'], 2);
   const x = {...axis('category', 'run'), labels: dates};
   return [lineChart(all, x, axis('logarithmic', 'time, ms'), (p) => ({x: p.date, y: p.time, low: p.low, high: p.high}),
     'Time of the same case over the dates of the runs; bars are the medians’ 95 % intervals.')];
@@ -195,7 +194,7 @@ function samplesChart(runs) {
     drawIn(place);
   };
   select.addEventListener('input', show);
-  show();
+  place.append(stripFigure(sampled[0].record, sampled[0].samples));
   return [element('div', {}, element('label', {}, 'Samples of', select), place)];
 }
 
@@ -206,17 +205,35 @@ function themeCharts() {
   Chart.defaults.borderColor = style.getPropertyValue('--line');
 }
 
-function setUpCharts(runs) {
+/** Draws figures in their places, and again where colours change. */
+function placeCharts(figures, place = document.getElementById('charts')) {
+  if (figures.length) place.append(element('div', {class: 'charts'}, ...figures));
+}
+
+function drawCharts() {
   Chart.defaults.plugins.legend.display = false;
-  themeCharts();
-  const points = timedPoints(runs);
-  const figures = [...sppChart(points), ...scalingChart(points, runs), ...workGroupChart(points), ...historyChart(points),
-    ...rooflineCharts(runs), ...noiseChart(runs), ...sweepCharts(runs), ...samplesChart(runs)];
-  document.getElementById('charts').append(element('div', {class: 'charts'}, ...figures));
-  drawIn(document);
   const redraw = () => {
     themeCharts();
     drawIn(document);
   };
+  redraw();
   for (const query of ['(prefers-color-scheme: dark)', 'print']) matchMedia(query).addEventListener('change', redraw);
+}
+
+/** What is told of the devices of some of the runs. */
+function deviceCharts(runs, chosen) {
+  const points = timedPoints(runs).filter((p) => chosen.includes(p.run));
+  return [...scalingChart(points, runs), ...workGroupChart(points), ...rooflineCharts(chosen.map((r) => runs[r])),
+    ...noiseChart(runs, chosen), ...sweepCharts(runs, chosen)];
+}
+
+/** All charts in one place, or each device's in its own. */
+function setUpCharts(runs) {
+  themeCharts();
+  const points = timedPoints(runs);
+  const parts = [...document.querySelectorAll('.charts-of')];
+  for (const part of parts) placeCharts(deviceCharts(runs, part.dataset.runs.split(' ').map(Number)), part);
+  const others = parts.length ? [] : deviceCharts(runs, runs.map((_, r) => r));
+  placeCharts([...sppChart(points), ...others, ...historyChart(points), ...samplesChart(runs)]);
+  drawCharts();
 }

@@ -37,7 +37,7 @@ function download(data, name) {
 }
 
 function setUpDownloads(runs) {
-  const what = document.getElementById('changes') ? 'comparison' : 'result';
+  const what = document.getElementById('history') ? 'history' : document.getElementById('changes') ? 'comparison' : 'result';
   runs.forEach((run, r) => {
     const name = runs.length === 1 ? `${what}.json` : `${what}-${r + 1}.json`;
     const button = element('button', {type: 'button'}, `Download ${name}`);
@@ -53,7 +53,8 @@ async function start() {
   const runs = await Promise.all([...document.querySelectorAll('script.data')].map(unpack));
   setUpDownloads(runs);
   setUpCases(runs);
-  if (document.getElementById('charts')) setUpCharts(runs);
+  if (document.getElementById('history')) setUpHistory(runs[0].content);
+  else if (document.getElementById('charts')) setUpCharts(runs);
   document.documentElement.classList.add('ready');
 }
 

@@ -22,5 +22,5 @@ function setUpWipe() {
   for (const control of [left.select, right.select, slider]) control.addEventListener('input', show);
   show();
   const whole = element('div', {id: 'wipe'}, element('h3', {}, 'Wipe'), left.label, right.label, stage, slider);
-  document.getElementById('pictures').append(whole);
+  (document.getElementById('pictures') ?? document.getElementById('devices')).append(whole);
 }

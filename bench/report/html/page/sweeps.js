@@ -63,7 +63,7 @@ function sweepChart(axisName, points) {
     `${words} ${all.map(spoken).join('; ')}.`);
 }
 
-function sweepCharts(runs) {
-  const rows = Map.groupBy(sweepRows(), ({axis: name}) => name);
+function sweepCharts(runs, chosen) {
+  const rows = Map.groupBy(sweepRows().filter(({r}) => chosen.includes(r)), ({axis: name}) => name);
   return [...rows].map(([name, group]) => sweepChart(name, group.map((row) => sweepPoint(runs, row))));
 }

@@ -1,0 +1,87 @@
+#include "bench/cli/prepared.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "bench/cli/check.h"
+#include "bench/cli/commands.h"
+#include "bench/cli/tell.h"
+#include "bench/measure/surroundings.h"
+#include "bench/plan/data_dir.h"
+#include "bench/plan/scene_file.h"
+#include "bench/record/host.h"
+#include "core/scene/content.h"
+
+namespace ptb {
+namespace {
+
+std::vector<std::string> warnings_before(const HostInfo& host, const Options& options) {
+    std::vector<std::string> warnings;
+    if (const int running = running_now(); is_busy(running, host.cores)) {
+        warnings.push_back(fmt::format(
+            "threads of other programs that ran before the run: {}, on {} cores; times on CPUs will "
+            "vary: end what `top` shows, or take more --min-samples",
+            running, host.cores));
+    }
+    if (options.run.no_isolate) {
+        warnings.push_back("--no-isolate: one driver's crash ends the run, and drivers share a process");
+    }
+    return warnings;
+}
+
+std::vector<std::string> hashed_scenes(const std::vector<Case>& cases) {
+    std::set<std::string> names;
+    for (const Case& c : cases) names.insert(c.scene);
+    std::vector<std::string> scenes;
+    for (const auto& name : names) scenes.push_back(name + " " + scene_hash(scene_file(name, data_dir())));
+    return scenes;
+}
+
+}  // namespace
+
+std::vector<std::string> check_before_devices(const Config& config, const CommonFlags& flags) {
+    return check_names(expand(config, {DeviceInfo()}), flags);
+}
+
+RunPlan empty_plan(const Config& config, const RunFlags& flags) {
+    RunPlan plan;
+    plan.measure = config.measure;
+    plan.measure.count = flags.peaks;
+    plan.max_total_time_s = config.max_total_time_s;
+    return plan;
+}
+
+ResultFile start_result(const Prepared& prepared, const Options& options,
+                        const std::vector<std::string>& argv) {
+    ResultFile result;
+    result.run = run_info(argv, prepared.config.name, prepared.config.measure.seed);
+    result.run.settings.json = dump_config(prepared.config);
+    result.run.scenes = hashed_scenes(prepared.planned);
+    result.host = host_info();
+    result.devices = prepared.plan.devices;
+    std::copy_if(prepared.list.devices.begin(), prepared.list.devices.end(),
+                 std::back_inserter(result.devices),
+                 [](const DeviceInfo& device) { return !device.excluded.empty(); });
+    result.broken_icds = prepared.list.broken;
+    result.warnings = warnings_before(result.host, options);
+    result.warnings.insert(result.warnings.end(), prepared.remarks.begin(), prepared.remarks.end());
+    return result;
+}
+
+OpenChannel channels(const Options& options, const Config& config, const Stopped& stopped) {
+    if (options.run.no_isolate) return in_process_channels();
+    const std::chrono::duration<double> silence(config.timeout_s);
+    return process_channels(worker_launch(options.common),
+                            std::chrono::duration_cast<std::chrono::milliseconds>(silence), stopped);
+}
+
+ProgressStyle progress_style(const CommonFlags& flags) {
+    if (flags.quiet) return ProgressStyle::silent;
+    return is_live(stderr) ? ProgressStyle::live : ProgressStyle::lines;
+}
+
+}  // namespace ptb

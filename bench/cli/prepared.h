@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/cli/options.h"
+#include "bench/worker/coordinator.h"
+#include "bench/worker/progress.h"
+
+namespace ptb {
+
+/// Everything a run needs, found and checked before any device does work.
+struct Prepared {
+    std::optional<ResultFile> earlier;  ///< the run to go on with
+    Config config;
+    std::vector<std::string> remarks;  ///< on the scenes
+    DeviceList list;
+    std::vector<Case> tuned;  ///< what the plan takes where the config leaves a launch open
+    std::vector<Case> planned;
+    RunPlan plan;  ///< of the planned cases those that have no record
+};
+
+/// Throws UsageError for names in a config that nothing has. Returns what is left out of its scenes.
+std::vector<std::string> check_before_devices(const Config& config, const CommonFlags& flags);
+
+/// The plan of a config, but for devices and cases.
+RunPlan empty_plan(const Config& config, const RunFlags& flags);
+
+/// A result without a record.
+ResultFile start_result(const Prepared& prepared, const Options& options,
+                        const std::vector<std::string>& argv);
+
+OpenChannel channels(const Options& options, const Config& config, const Stopped& stopped);
+ProgressStyle progress_style(const CommonFlags& flags);
+
+}  // namespace ptb

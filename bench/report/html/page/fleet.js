@@ -1,0 +1,5 @@
+'use strict';
+
+document.documentElement.classList.add('scripted');
+setUpTables();
+document.documentElement.classList.add('ready');

@@ -1,0 +1,78 @@
+#include "core/integrator/device_meshes.h"
+
+#include <algorithm>
+#include <bit>
+#include <thread>
+
+#include "core/integrator/camera.h"
+
+namespace ptb {
+
+namespace {
+
+/// A corner in the device's coordinates, rounded once.
+std::array<float, 3> device_corner(const Vec3& corner, const Vec3& origin) {
+    const ptb_float4 seen = device_vector(corner - origin);
+    return {seen.x, seen.y, seen.z};
+}
+
+/// Of all meshes, in the order of their numbers.
+std::vector<Triangle> device_triangles(const Scene& scene, const Vec3& origin) {
+    std::vector<Triangle> triangles;
+    triangles.reserve(triangle_count(scene));
+    for (const Mesh& mesh : scene.meshes)
+        for (const auto& [a, b, c] : mesh.faces)
+            triangles.push_back(
+                {{device_corner(mesh.vertices[a], origin), device_corner(mesh.vertices[b], origin),
+                  device_corner(mesh.vertices[c], origin)}});
+    return triangles;
+}
+
+/// Outwards, of length 1. Edges are scaled, so that no unit of length makes it vanish.
+Vec3 normal_of(const Mesh& mesh, const Face& face) {
+    const Vec3& corner = mesh.vertices[face[0]];
+    return normalized(
+        cross(normalized(mesh.vertices[face[1]] - corner), normalized(mesh.vertices[face[2]] - corner)));
+}
+
+std::vector<SceneTriangle> scene_triangles(const Scene& scene, std::uint32_t first_face) {
+    std::vector<SceneTriangle> triangles;
+    triangles.reserve(triangle_count(scene));
+    for (const Mesh& mesh : scene.meshes) {
+        const std::uint32_t outer = first_face + 2 * static_cast<std::uint32_t>(mesh.material);
+        for (const Face& face : mesh.faces) {
+            ptb_float4 normal = device_vector(normal_of(mesh, face));
+            normal.w = std::bit_cast<float>(outer);
+            triangles.push_back({normal});
+        }
+    }
+    return triangles;
+}
+
+bool refracts(const Scene& scene) {
+    return std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
+        return scene.materials[static_cast<std::size_t>(mesh.material)].type == MaterialType::dielectric;
+    });
+}
+
+}  // namespace
+
+std::uint64_t DeviceMeshes::node_bytes() const {
+    if (!tree) return 0;
+    return tree->nodes2.size() * sizeof(TreeNode2) + tree->nodes8.size() * sizeof(TreeNode8);
+}
+
+std::uint64_t DeviceMeshes::leaf_bytes() const {
+    if (!tree) return 0;
+    return tree->triangles.size() * sizeof(TreeTriangle) + tree->blocks.size() * sizeof(TreeBlock8);
+}
+
+void add_meshes(DeviceScene& device, const Scene& scene, TreeLayout layout, const TreeSettings& settings) {
+    if (!device.has_meshes) return;
+    const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    device.meshes.tree = scene.trees->tree(device_triangles(scene, device.origin), layout, settings, threads);
+    device.meshes.triangles = scene_triangles(scene, device.mesh_faces);
+    device.meshes.refract = refracts(scene);
+}
+
+}  // namespace ptb

@@ -1,0 +1,57 @@
+/* How lanes are kept busy whose samples are more than a path: each lane traces a sample of its unit, all lanes together, and
+   one whose unit is done takes the next from the queue. Units and their sums are those of engine/trace.h. */
+#ifndef PTB_ENGINE_SAMPLE_H
+#define PTB_ENGINE_SAMPLE_H
+
+#include "engine/splat.h"
+#include "engine/work.h"
+
+/* Starts the next sample of these lanes' units. */
+static inline void start_samples(Path* path, Unit* unit, lanes_mask busy, Start start, const EngineLaunch* launch) {
+    Spare spare = no_spare();
+    refill(&spare, unit, launch);
+    start_spares(path, &spare, busy, 0u, start, launch);
+}
+
+/* Segments of light paths go to the pixels of the units that they belong to. */
+static inline void add_light_segments(const Picture* picture, const Unit* unit, Traced now, lanes_mask finished,
+                                      const EngineLaunch* launch) {
+    const Traced traced = traced_since(&now, &unit->before);
+    for (uint lane = 0; lane < PTB_LANES; ++lane) {
+        if (!LANE(finished, lane)) continue;
+        const uint pixel = launch->first_pixel + LANE(unit->number, lane) % launch->pixels;
+        (void)atomic_add((volatile __global uint*)&picture->splats[pixel].light_segments, LANE(traced.light_segments, lane));
+    }
+}
+
+ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queue, SCENE_SPHERE_SPACE const SceneSphere* spheres,
+                                SCENE_SURFACE_SPACE const SceneSurface* surface_rows, __global const uint* camera_sides,
+                                __global const uint* run_starts, __global const SceneLamp* lamps,
+                                SCENE_TREE_PARAMETERS EngineLaunch launch,
+                                __global Splat* splats COUNTED_PARAMETER) {
+    ENGINE_STAY_OUTLINED;
+    const World world = world_of(spheres, surface_rows, lamps, SCENE_TREE_ARGUMENTS &launch);
+    const Start start = start_of(&world, surface_rows, camera_sides);
+    const Picture picture = picture_of(&launch, start.row->position_side, splats);
+    Unit unit = no_unit();
+    Path path = no_path();
+    Traced traced = traced_nothing();
+    lanes_mask busy = take_units(&unit, traced, lanes_all(), queue, run_starts, &launch);
+    COUNTED_LANES(lanes_all(), ENGINE_TAKE_WORK)
+    while (lanes_any(busy)) {
+        start_samples(&path, &unit, busy, start, &launch);
+        const lanes_mask full = trace_sample(&world, &picture, &path, busy, &traced COUNTED_ARGUMENT);
+        COUNTED_LANES(busy, ENGINE_PATH_WORK)
+        add_samples(&unit, path.radiance, busy);
+        unit.counts += lanes_select_u((lanes_u)(0u), (lanes_u)(ENGINE_FULL_LENGTH), full);
+        const lanes_mask finished = busy & (unit.sample == unit.end);
+        if (!lanes_any(finished)) continue;
+        write_units(&unit, traced, finished, tallies);
+        add_light_segments(&picture, &unit, traced, finished, &launch);
+        COUNTED_LANES(finished, ENGINE_UNIT_WORK)
+        COUNTED_LANES(finished, ENGINE_TAKE_WORK)
+        busy &= !finished | take_units(&unit, traced, finished, queue, run_starts, &launch);
+    }
+}
+
+#endif

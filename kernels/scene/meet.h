@@ -1,0 +1,165 @@
+/* What a ray meets, be it a sphere or a triangle. */
+#ifndef PTB_SCENE_MEET_H
+#define PTB_SCENE_MEET_H
+
+#include "scene/hit.h"
+#include "scene/work.h"
+
+#ifdef SCENE_TREE
+#include "scene/search.h"
+#endif
+
+#ifndef SCENE_TREE
+
+ALWAYS_INLINE Hit nearest_hit(Scene scene, const Ray* ray, const Sides* inside COUNTED_PARAMETER) {
+    COUNTED_UNUSED
+    return nearest_sphere(scene, ray, inside);
+}
+
+/* Whether nothing is between a ray's origin and its target, the sphere of this outer face, which it meets at `distance`. */
+ALWAYS_INLINE lanes_mask sees(Scene scene, const Ray* ray, const Sides* inside, lanes_f distance, lanes_u target COUNTED_PARAMETER) {
+    COUNTED_UNUSED
+    return sees_past_spheres(scene, ray, inside, distance, target);
+}
+
+static inline void move_to_hit(Ray* ray, const Hit* hit) { move_to_sphere(ray, hit); }
+
+/* The way to where a ray is from the centre of the sphere that it is at; of a triangle its normal. */
+static inline Vec from_centre(const Ray* ray, Vec centre) { return vec_sub(ray->origin, centre); }
+
+/* The rays go through the faces that they are at. */
+static inline void pass_through(Scene scene, Ray* ray, Sides* inside, const Hit* hit, lanes_f along, lanes_mask through) {
+    (void)ray, (void)along;
+    change_sides(scene, inside, hit_face(hit), through);
+}
+
+#else
+
+/* Begins to look for the nearest triangle before the nearest sphere. */
+static inline void begin_search(Scene scene, const Ray* ray, const Sides* inside, Hit* hit, Search* search COUNTED_PARAMETER) {
+    *hit = nearest_sphere(scene, ray, inside);
+    search_begin(search, ray->origin, ray->direction, hit_distance(hit), ray->left, TREE_NOTHING COUNTED_ARGUMENT);
+}
+
+/* Rounding puts a point this share of its largest corner from a triangle, at most. */
+#define TRIANGLE_MARGIN 0x1p-21f
+
+static inline float largest_part(Vec a) { return fmax(fmax(fabs(a.x), fabs(a.y)), fabs(a.z)); }
+
+/* Takes what the search found into the hit. The point is made of the corners, and kept a hair from the plane on the ray's
+   side: so no neighbour in the same plane is met from behind. */
+static inline void end_search(Scene scene, const Ray* ray, const Search* search, Hit* hit COUNTED_PARAMETER) {
+    hit->triangle = TREE_NOTHING;
+    const Found found = search->found;
+    if (found.place == TREE_NOTHING) return;
+    COUNTED(1u, TREE_MET_WORK)
+    Vec corner[3];
+    hit->triangle = triangle_at(scene.tree, found.place, corner);
+    const float4 normal_face = scene.triangles[hit->triangle].normal_face;
+    hit->normal = vec_of(normal_face);
+    const bool inner = vec_dot(ray->direction, hit->normal) > 0.0f;
+    hit->distance_bits = as_uint(found.distance);
+    hit->number = as_uint(normal_face.w) + (inner ? 1u : 0u);
+    hit->margin = TRIANGLE_MARGIN * fmax(fmax(largest_part(corner[0]), largest_part(corner[1])), largest_part(corner[2]));
+    const Vec b = vec_sub(corner[1], corner[0]), c = vec_sub(corner[2], corner[0]);
+    const Vec point = vec_add_scaled(vec_add_scaled(corner[0], b, found.b), c, found.c);
+    hit->point = vec_add_scaled(point, hit->normal, inner ? -hit->margin : hit->margin);
+}
+
+static inline Hit nearest_hit(Scene scene, const Ray* ray, const Sides* inside COUNTED_PARAMETER) {
+    Hit hit;
+    Search search;
+    begin_search(scene, ray, inside, &hit, &search COUNTED_ARGUMENT);
+    search_all(scene.tree, &search, false COUNTED_ARGUMENT);
+    end_search(scene, ray, &search, &hit COUNTED_ARGUMENT);
+    return hit;
+}
+
+static inline bool sees(Scene scene, const Ray* ray, const Sides* inside, float distance, uint target COUNTED_PARAMETER) {
+    const uint end = (target & SCENE_TRIANGLE) != 0u ? target & ~SCENE_TRIANGLE : TREE_NOTHING;
+    const bool itself = end == ray->left && end != TREE_NOTHING;
+    if (itself || !sees_past_spheres(scene, ray, inside, distance, target)) return false;
+    Search search;
+    search_begin(&search, ray->origin, ray->direction, distance, ray->left, end COUNTED_ARGUMENT);
+    search_all(scene.tree, &search, true COUNTED_ARGUMENT);
+    return search.found.place == TREE_NOTHING;
+}
+
+static inline void move_to_hit(Ray* ray, const Hit* hit) {
+    ray->left = hit->triangle;
+    if (hit->triangle == TREE_NOTHING) {
+        move_to_sphere(ray, hit);
+        return;
+    }
+    ray->origin = hit->point;
+    ray->normal = hit->normal;
+    ray->margin = hit->margin;
+}
+
+static inline Vec from_centre(const Ray* ray, Vec centre) {
+    return ray->left == TREE_NOTHING ? vec_sub(ray->origin, centre) : ray->normal;
+}
+
+static inline void pass_through(Scene scene, Ray* ray, Sides* inside, const Hit* hit, float along, bool through) {
+    if (ray->left == TREE_NOTHING) {
+        change_sides(scene, inside, hit_face(hit), through);
+    } else if (through) {
+        ray->origin = vec_add_scaled(ray->origin, ray->normal, along > 0.0f ? 2.0f * ray->margin : -2.0f * ray->margin);
+    }
+}
+
+#endif
+
+/* A ray's way to its hit. With SCENE_PAUSES lanes of a warp that are there first go on to their next rays while the others
+   search: scene/search.h. Else it is all done at the end. */
+#ifdef SCENE_PAUSES
+
+typedef struct Meeting {
+    Hit sphere;
+    Search search;
+} Meeting;
+
+static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* inside COUNTED_PARAMETER) {
+    Meeting meeting;
+    begin_search(scene, ray, inside, &meeting.sphere, &meeting.search COUNTED_ARGUMENT);
+    return meeting;
+}
+
+/* Whether it is at its end. */
+static inline bool go_on(Scene scene, Meeting* meeting COUNTED_PARAMETER) {
+    return search_some(scene.tree, &meeting->search COUNTED_ARGUMENT);
+}
+
+static inline Hit end_meeting(Scene scene, const Ray* ray, const Sides* inside, const Meeting* meeting COUNTED_PARAMETER) {
+    (void)inside;
+    Hit hit = meeting->sphere;
+    end_search(scene, ray, &meeting->search, &hit COUNTED_ARGUMENT);
+    return hit;
+}
+
+#else
+
+typedef struct Meeting {
+    char none;
+} Meeting;
+
+static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* inside COUNTED_PARAMETER) {
+    (void)scene, (void)ray, (void)inside;
+    COUNTED_UNUSED
+    const Meeting meeting = {0};
+    return meeting;
+}
+
+static inline bool go_on(Scene scene, Meeting* meeting COUNTED_PARAMETER) {
+    (void)scene, (void)meeting;
+    COUNTED_UNUSED
+    return true;
+}
+
+ALWAYS_INLINE Hit end_meeting(Scene scene, const Ray* ray, const Sides* inside, const Meeting* meeting COUNTED_PARAMETER) {
+    (void)meeting;
+    return nearest_hit(scene, ray, inside COUNTED_ARGUMENT);
+}
+
+#endif
+#endif

@@ -1,0 +1,91 @@
+/* A ray's search for what it meets in a tree of triangles, which can be left and gone on with. */
+#ifndef PTB_SCENE_SEARCH_H
+#define PTB_SCENE_SEARCH_H
+
+#include "scene/triangle.h"
+#include "scene/work.h"
+
+/* The nearest triangle so far. */
+typedef struct Found {
+    float distance;
+    uint place; /* in the leaves; TREE_NOTHING: none */
+    float b, c; /* shares of its second and third corner in the point met */
+} Found;
+
+typedef struct Search Search;
+
+#if SCENE_TREE == 8
+#include "scene/tree8.h"
+#else
+#include "scene/tree2.h"
+#endif
+
+#define SEARCH_OVER TREE_NOTHING
+
+/* Begins one within `distance`, of triangles that are not of these two numbers. */
+static inline void search_begin(Search* s, Vec origin, Vec direction, float distance, uint left, uint target COUNTED_PARAMETER) {
+    COUNTED(1u, TREE_AIM_WORK)
+    search_aim(s, origin, direction);
+    s->found.distance = distance;
+    s->found.place = TREE_NOTHING;
+    s->found.b = s->found.c = 0.0f;
+    s->left = left;
+    s->target = target;
+    s->height = 0u;
+    s->at = 0u;
+}
+
+static inline bool search_is_at_node(const Search* s) { return (s->at & TREE_LEAF) == 0u; }
+static inline bool search_is_over(const Search* s) { return s->at == SEARCH_OVER; }
+
+/* Lanes of a warp do not search equally long. Those that are done wait until there are SEARCH_DONE of them, and those in
+   leaves until fewer than SEARCH_AT_NODES go on through nodes. Either number is held against the lanes that are here, which
+   need not be all: a warp may have been split. */
+#define SEARCH_DONE 4u
+#define SEARCH_AT_NODES 8u
+
+static inline bool search_leaves_nodes(void) {
+#if PTB_PTX
+    uint here;
+    __asm__ volatile("activemask.b32 %0;" : "=r"(here));
+    return popcount(here) < SEARCH_AT_NODES;
+#else
+    return false;
+#endif
+}
+
+static inline bool search_pauses(bool over) {
+#if PTB_PTX
+    uint here, done;
+    __asm__ volatile(
+        "{\n\t.reg .pred over;\n\tsetp.ne.u32 over, %2, 0;\n\tactivemask.b32 %0;\n\t"
+        "vote.sync.ballot.b32 %1, over, %0;\n\t}"
+        : "=&r"(here), "=&r"(done)
+        : "r"((uint)over));
+    return popcount(done) >= min(SEARCH_DONE, popcount(here));
+#else
+    return over;
+#endif
+}
+
+/* Goes on; returns whether the search is over. What it finds does not depend on when it was left. */
+static inline bool search_some(Tree tree, Search* s COUNTED_PARAMETER) {
+    do {
+        while (search_is_at_node(s)) {
+            search_node(tree, s COUNTED_ARGUMENT);
+            if (search_leaves_nodes()) break;
+        }
+        if (!search_is_at_node(s) && !search_is_over(s)) search_leaf(tree, s, false COUNTED_ARGUMENT);
+    } while (!search_pauses(search_is_over(s)));
+    return search_is_over(s);
+}
+
+/* The whole of it; `any`: up to the first triangle. */
+static inline void search_all(Tree tree, Search* s, const bool any COUNTED_PARAMETER) {
+    while (!search_is_over(s)) {
+        while (search_is_at_node(s)) search_node(tree, s COUNTED_ARGUMENT);
+        if (!search_is_over(s)) search_leaf(tree, s, any COUNTED_ARGUMENT);
+    }
+}
+
+#endif

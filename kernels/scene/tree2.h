@@ -1,0 +1,126 @@
+/* A tree of two children a node, and leaves whose triangles are met one by one: for GPUs, where instructions count. */
+#ifndef PTB_SCENE_TREE2_H
+#define PTB_SCENE_TREE2_H
+
+struct Search {
+    Vec origin, inverse, minus_start; /* 1 / direction, and the origin times -1 / direction */
+    Vec across, down, direction;      /* a corner's sheared coordinates are its products with the first two */
+    Found found;
+    uint left, target;
+    uint at, height;
+    uint stack[TREE_STACK]; /* links; the host says how many there may be */
+};
+
+/* A row of the shear: the coordinate on one axis, less its share of that along the ray. All but one product are exact. */
+static inline Vec shear_row(uint axis, uint along, float share) {
+    return vec(axis == 0u ? 1.0f : along == 0u ? -share : 0.0f, axis == 1u ? 1.0f : along == 1u ? -share : 0.0f,
+               axis == 2u ? 1.0f : along == 2u ? -share : 0.0f);
+}
+
+static inline float vec_part(Vec v, uint axis) { return axis == 0u ? v.x : axis == 1u ? v.y : v.z; }
+
+static inline void search_aim(Search* s, Vec origin, Vec direction) {
+    const uint along = main_axis(direction), across = along == 2u ? 0u : along + 1u, down = along == 0u ? 2u : along - 1u;
+    const float inverse = 1.0f / vec_part(direction, along);
+    s->origin = origin;
+    s->direction = direction;
+    s->inverse = vec(1.0f / steep(direction.x), 1.0f / steep(direction.y), 1.0f / steep(direction.z));
+    s->minus_start = vec(-origin.x * s->inverse.x, -origin.y * s->inverse.y, -origin.z * s->inverse.z);
+    s->across = shear_row(across, along, vec_part(direction, across) * inverse);
+    s->down = shear_row(down, along, vec_part(direction, down) * inverse);
+}
+
+static inline void search_pop(Search* s) { s->at = s->height > 0u ? s->stack[--s->height] : TREE_NOTHING; }
+
+/* Of one instruction; what is no number does not come here. */
+#if PTB_PTX
+#define SLAB_MIN fmin
+#define SLAB_MAX fmax
+#else
+#define SLAB_MIN tree_min
+#define SLAB_MAX tree_max
+#endif
+
+/* Whether the ray goes through a box before what it has found, and where it enters. */
+static inline bool enters_box(const Search* s, float4 low, float4 high, float* entry) {
+    const Vec a = vec_mul_add(s->minus_start, vec_of(low), s->inverse), b = vec_mul_add(s->minus_start, vec_of(high), s->inverse);
+    *entry = SLAB_MAX(SLAB_MAX(SLAB_MIN(a.x, b.x), SLAB_MIN(a.y, b.y)), SLAB_MAX(SLAB_MIN(a.z, b.z), 0.0f));
+    const float exit = SLAB_MIN(SLAB_MIN(SLAB_MAX(a.x, b.x), SLAB_MAX(a.y, b.y)), SLAB_MIN(SLAB_MAX(a.z, b.z), s->found.distance));
+    return *entry <= exit;
+}
+
+/* Goes to the nearer child that the ray enters, and keeps the other for later. */
+static inline void search_node(Tree tree, Search* s COUNTED_PARAMETER) {
+    COUNTED(1u, TREE_NODE_WORK)
+    __global const float4* node = tree.nodes + 4u * s->at;
+    const float4 low0 = node[0], high0 = node[1], low1 = node[2], high1 = node[3];
+    float entry0, entry1;
+    const bool first = enters_box(s, low0, high0, &entry0), second = enters_box(s, low1, high1, &entry1);
+    const uint link0 = as_uint(low0.w), link1 = as_uint(low1.w);
+    if (!(first | second)) {
+        search_pop(s);
+        return;
+    }
+    const bool second_first = second & (!first | (entry1 < entry0));
+    if (first & second) s->stack[s->height++] = second_first ? link0 : link1;
+    s->at = second_first ? link1 : link0;
+}
+
+/* A corner as the ray sees it. */
+static inline Corner corner_seen(const Search* s, Vec from_origin) {
+#pragma OPENCL FP_CONTRACT OFF
+    Corner corner;
+#ifdef FP_FAST_FMAF
+    corner.x = fma(s->across.z, from_origin.z, fma(s->across.y, from_origin.y, s->across.x * from_origin.x));
+    corner.y = fma(s->down.z, from_origin.z, fma(s->down.y, from_origin.y, s->down.x * from_origin.x));
+#else
+    corner.x = s->across.x * from_origin.x + s->across.y * from_origin.y + s->across.z * from_origin.z;
+    corner.y = s->down.x * from_origin.x + s->down.y * from_origin.y + s->down.z * from_origin.z;
+#endif
+    return corner;
+}
+
+/* Meets the triangle at this place. Returns whether it is the nearest now. */
+static inline bool search_triangle(Tree tree, Search* s, uint place COUNTED_PARAMETER) {
+    COUNTED(1u, TREE_TRIANGLE_WORK)
+    __global const float4* corners = tree.leaves + 3u * place;
+    const float4 a_number = corners[0];
+    const Vec a = vec_sub(vec_of(a_number), s->origin), b = vec_sub(vec_of(corners[1]), s->origin);
+    const Vec c = vec_sub(vec_of(corners[2]), s->origin);
+    const Edges edges = edges_of(corner_seen(s, a), corner_seen(s, b), corner_seen(s, c));
+    const uint number = as_uint(a_number.w);
+    if (!goes_through(&edges) | (number == s->left) | (number == s->target)) return false;
+    COUNTED(1u, TREE_POINT_WORK)
+    const float inverse = 1.0f / edges.sum, share_b = edges.b * inverse, share_c = edges.c * inverse;
+    const Vec point = vec_add_scaled(vec_add_scaled(vec_scale(a, edges.a * inverse), b, share_b), c, share_c);
+    const float distance = vec_dot(point, s->direction);
+    if (!((distance > 0.0f) & (distance < s->found.distance))) return false;
+    s->found.distance = distance;
+    s->found.place = place;
+    s->found.b = share_b;
+    s->found.c = share_c;
+    return true;
+}
+
+static inline void search_leaf(Tree tree, Search* s, const bool any COUNTED_PARAMETER) {
+    const uint run = s->at & ~TREE_LEAF, first = run / TREE_LEAF_MOST, last = first + run % TREE_LEAF_MOST;
+    for (uint place = first; place <= last; ++place) {
+        if (search_triangle(tree, s, place COUNTED_ARGUMENT) && any) {
+            s->at = TREE_NOTHING;
+            return;
+        }
+    }
+    search_pop(s);
+}
+
+/* Corners of the triangle at a place, and its number in the scene. */
+static inline uint triangle_at(Tree tree, uint place, Vec corner[3]) {
+    __global const float4* corners = tree.leaves + 3u * place;
+    const float4 a_number = corners[0];
+    corner[0] = vec_of(a_number);
+    corner[1] = vec_of(corners[1]);
+    corner[2] = vec_of(corners[2]);
+    return as_uint(a_number.w);
+}
+
+#endif

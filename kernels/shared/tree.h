@@ -1,0 +1,48 @@
+/* Trees over triangles, as kernels walk them; core/tree makes them. */
+#ifndef PTB_SHARED_TREE_H
+#define PTB_SHARED_TREE_H
+
+#include "shared/types.h"
+
+/* A link leads to an inner node of that number, or, with the bit TREE_LEAF, to a leaf. In a tree of two children a node,
+   a leaf is a run of 1 to TREE_LEAF_MOST triangles: its first triangle's number times TREE_LEAF_MOST, plus the count less 1.
+   In a tree of eight, a leaf is the block of that number. */
+#define TREE_LEAF 0x80000000u
+#define TREE_LEAF_MOST 4u
+#define TREE_NOTHING 0xffffffffu /* the link of a place without a child, whose box no ray enters */
+
+/* An inner node of two children, whose boxes it has. Boxes are so much larger than what they hold that rounding of the ray's
+   way through them loses nothing. */
+typedef struct TreeNode2 {
+    ptb_float4 low0_link; /* xyz: the first child's low corner; w: bits of its link */
+    ptb_float4 high0;
+    ptb_float4 low1_link;
+    ptb_float4 high1;
+} TreeNode2;
+PTB_ASSERT_SIZE(TreeNode2, 64);
+
+/* A triangle of the leaves of such a tree. */
+typedef struct TreeTriangle {
+    ptb_float4 a_number; /* xyz: first corner; w: bits of the triangle's number in the scene */
+    ptb_float4 b;
+    ptb_float4 c;
+} TreeTriangle;
+PTB_ASSERT_SIZE(TreeTriangle, 48);
+
+/* An inner node of up to eight children, each coordinate of all boxes at once. */
+typedef struct TreeNode8 {
+    float low[3][8];
+    float high[3][8];
+    ptb_uint link[8];
+} TreeNode8;
+PTB_ASSERT_SIZE(TreeNode8, 224);
+
+/* A leaf of such a tree: eight triangles, each coordinate of all of them at once. A place without one has corners that are
+   no numbers. */
+typedef struct TreeBlock8 {
+    float corner[3][3][8]; /* of corner a, b, c: x, y, z */
+    ptb_uint number[8];    /* of the triangle in the scene */
+} TreeBlock8;
+PTB_ASSERT_SIZE(TreeBlock8, 320);
+
+#endif

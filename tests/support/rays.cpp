@@ -1,0 +1,83 @@
+#include "tests/support/rays.h"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace ptb {
+namespace {
+
+template <class Row>
+cl::Buffer buffer_of(const ocl::Device& device, std::span<const Row> rows) {
+    return {device.context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, rows.size_bytes(),
+            const_cast<Row*>(rows.data())};
+}
+
+std::string options_of(const ocl::Device& device, const Tree& tree) {
+    return fmt::format("-cl-std=CL1.2 -DSCENE_TREE={} -DTREE_STACK={}{}", tree.nodes2.empty() ? 8 : 2,
+                       (tree.facts.stack_most / 128 + 1) * 128,
+                       device.info.type == "CPU" ? " -DENGINE_ALONE" : "");
+}
+
+}  // namespace
+
+RayList::RayList(const ocl::Device& device, const Tree& tree, const std::string& more_options,
+                 const std::string& kernel_dir)
+    : device_(device),
+      program_(ocl::build(device, kernel_source("probe/rays.cl", kernel_dir),
+                          options_of(device, tree) + more_options)),
+      counted_(device, program_) {
+    const auto add = [&](const auto& rows) {
+        tree_.push_back(large_buffer(device, std::as_bytes(std::span(rows))));
+    };
+    tree.nodes2.empty() ? add(tree.nodes8) : add(tree.nodes2);
+    tree.nodes2.empty() ? add(tree.blocks) : add(tree.triangles);
+}
+
+std::vector<ProbeHit> RayList::met(std::span<const ProbeRay> rays, bool any) {
+    ask(rays);
+    meet(any);
+    return answers();
+}
+
+void RayList::ask(std::span<const ProbeRay> rays) {
+    count_ = static_cast<cl_uint>(rays.size());
+    asked_ = buffer_of(device_, rays);
+    answers_ = cl::Buffer(device_.context, CL_MEM_WRITE_ONLY, count_ * sizeof(ProbeHit));
+}
+
+void RayList::meet(bool any) {
+    const cl_uint run = device_.info.type == "CPU" ? 256 : 1;
+    cl::Kernel kernel(program_.program, any ? "probe_sights" : "probe_rays");
+    counted_.give(kernel);
+    cl_uint i = 0;
+    const auto give = [&](const auto& argument) { kernel.setArg(i++, argument); };
+    give(tree_[0]), give(tree_[1]), give(asked_), give(answers_), give(count_), give(run);
+    const cl::NDRange group = run > 1 ? cl::NDRange(1) : cl::NullRange;  // PoCL compiles once a size
+    device_.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((count_ + run - 1) / run), group);
+    device_.queue.finish();
+}
+
+std::vector<ProbeHit> RayList::answers() const {
+    std::vector<ProbeHit> hits(count_);
+    device_.queue.enqueueReadBuffer(answers_, CL_TRUE, 0, hits.size() * sizeof(ProbeHit), hits.data());
+    return hits;
+}
+
+std::optional<Counts> RayList::counts() {
+    const auto counts = counted_.read();
+    counted_.clear();
+    return counts;
+}
+
+ProbeRay make_ray(const std::array<double, 3>& origin, const std::array<double, 3>& direction) {
+    const auto& [x, y, z] = direction;
+    const double length = std::sqrt(x * x + y * y + z * z);
+    const auto f = [](double value) { return static_cast<float>(value); };
+    return {{f(origin[0]), f(origin[1]), f(origin[2]), std::bit_cast<float>(TREE_NOTHING)},
+            {f(x / length), f(y / length), f(z / length), std::numeric_limits<float>::max()}};
+}
+
+}  // namespace ptb

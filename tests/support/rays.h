@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/integrator/large_buffer.h"
+#include "core/ocl/program.h"
+#include "core/render/counted_rows.h"
+#include "core/tree/tree.h"
+#include "shared/rays.h"
+
+namespace ptb {
+
+/// A tree on a device, to be met by lists of rays: kernels/probe/rays.cl. Throws what goes wrong.
+class RayList {
+  public:
+    /// @param more_options  of the build
+    /// @param kernel_dir  of other kernels than the embedded ones
+    RayList(const ocl::Device& device, const Tree& tree, const std::string& more_options = "",
+            const std::string& kernel_dir = "");
+
+    /// What each ray meets; `any`: up to the first triangle within its reach.
+    std::vector<ProbeHit> met(std::span<const ProbeRay> rays, bool any = false);
+    /// The same in three steps, of which `meet` may be repeated.
+    void ask(std::span<const ProbeRay> rays);
+    void meet(bool any = false);
+    std::vector<ProbeHit> answers() const;
+    /// In an instrumented build: what the rays since the last call took.
+    std::optional<Counts> counts();
+
+  private:
+    ocl::Device device_;
+    ocl::Program program_;
+    CountedRows counted_;
+    std::vector<cl::Buffer> tree_;  ///< nodes and leaves
+    cl::Buffer asked_, answers_;
+    cl_uint count_ = 0;
+};
+
+/// A ray of length 1 that starts at no triangle.
+ProbeRay make_ray(const std::array<double, 3>& origin, const std::array<double, 3>& direction);
+
+}  // namespace ptb
