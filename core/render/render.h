@@ -43,7 +43,7 @@ struct Film {
     std::uint64_t shadow_rays = 0;  ///< beside the segments, of integrators that have them
     std::optional<std::uint64_t> full_length_paths;
     std::uint64_t light_segments = 0;  ///< beside them too, of paths that start at lamps
-    std::string hash;                  ///< of its bits on the device (FilmHash)
+    std::string hash{};                ///< of its bits on the device (FilmHash)
 };
 
 /// One scene being rendered on one device: buffers, kernels and how far it has come. Work is done in steps
