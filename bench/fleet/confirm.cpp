@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 #include <set>
 
@@ -15,7 +14,7 @@ namespace {
 
 /// Of one candidate, before it is known beside how many others it stands.
 struct Mean {
-    double mean, standard_error, degrees;
+    double mean = 0, standard_error = 0, degrees = 0;
 
     double statistic() const { return (mean - std::log1p(slow_by)) / standard_error; }
     double lower_bound(double alpha) const {
@@ -23,6 +22,9 @@ struct Mean {
         return mean - boost::math::quantile(boost::math::complement(t, alpha)) * standard_error;
     }
 };
+
+/// That have an error; of fewer nothing can be said.
+constexpr std::size_t fewest_sessions = 2;
 
 /// Sessions that agree to the last bit would have no error.
 constexpr double least_error = 1e-9;
@@ -68,16 +70,19 @@ std::vector<double> session_deviations(const LogTimes& candidate, const LogTimes
             const double deviation = session[work] - median_of(std::move(reference));
             if (!std::isnan(deviation)) of_works.push_back(deviation);
         }
-        found.push_back(median_of(std::move(of_works)));
+        if (!of_works.empty()) found.push_back(median_of(std::move(of_works)));
     }
     return found;
 }
 
 std::vector<Confirmed> confirmed(const std::vector<std::vector<double>>& deviations) {
-    std::vector<Mean> means;
-    for (const auto& sessions : deviations) means.push_back(mean_of(sessions));
-    std::vector<std::size_t> order(means.size());
-    std::iota(order.begin(), order.end(), 0u);
+    std::vector<Mean> means(deviations.size());
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < deviations.size(); ++i) {
+        if (deviations[i].size() < fewest_sessions) continue;
+        means[i] = mean_of(deviations[i]);
+        order.push_back(i);
+    }
     std::sort(order.begin(), order.end(),
               [&](auto a, auto b) { return means[a].statistic() > means[b].statistic(); });
     std::vector<Confirmed> found(means.size());

@@ -31,8 +31,9 @@ struct Confirmed {
     double at_least = 0;  ///< their lower bound, at the level that Holm's procedure gives it
 };
 
-/// One for each candidate of a fleet, each with as many sessions: `slow` where the lower bound of its mean
-/// (by Student's t) is over 3 %. See "A Simple Sequentially Rejective Multiple Test Procedure", by S. Holm.
+/// One for each candidate of a fleet: `suspect` where fewer than two sessions have times, `slow` where the
+/// lower bound of its mean (by Student's t) is over 3 %. See "A Simple Sequentially Rejective Multiple Test
+/// Procedure", by S. Holm.
 std::vector<Confirmed> confirmed(const std::vector<std::vector<double>>& deviations);
 
 }  // namespace ptb

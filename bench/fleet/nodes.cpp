@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <cstdlib>
 #include <map>
 #include <optional>
@@ -104,7 +105,7 @@ class NodeList {
         const auto begin = number_in(first);
         const auto end = dash == std::string_view::npos ? begin : number_in(text.substr(dash + 1));
         if (!begin || !end || *end < *begin || std::size_t(*end - *begin) > most_nodes) fail();
-        for (int number = *begin; number <= *end; ++number)
+        for (std::int64_t number = *begin; number <= *end; ++number)
             numbers.push_back(fmt::format("{:0{}}", number, first.size()));
     }
 

@@ -25,7 +25,7 @@ struct Work {
     std::int64_t longest_launch_ns = 0;
     std::uint64_t device_bytes = 0;  ///< device memory asked for
     std::optional<double> overlap;   ///< out of order: share of the launches' times that ran beside another's
-    std::string film_hash;           ///< of the timed film's bits: equal devices give equal ones
+    std::string film_hash{};         ///< of the timed film's bits: equal devices give equal ones
     std::uint64_t light_segments = 0;  ///< beside them too, of paths that start at lamps
     bool operator==(const Work&) const = default;
 };
@@ -159,7 +159,7 @@ struct Record {
     std::optional<Energy> energy;
     std::optional<Efficiency> efficiency;
     std::optional<Counted> counted;  ///< with --peaks
-    std::optional<GpuState> gpu;
+    std::optional<GpuState> gpu{};
     bool operator==(const Record&) const = default;
 };
 
@@ -211,7 +211,7 @@ struct HostInfo {
     std::optional<double> cpu_quota;  ///< CPUs whose time the smallest control group allows
     std::uint64_t memory_bytes = 0;
     double load_1min = 0;
-    std::string node;  ///< its name in a fleet, or empty
+    std::string node{};  ///< its name in a fleet, or empty
     bool operator==(const HostInfo&) const = default;
 };
 
@@ -242,11 +242,11 @@ struct RunInfo {
     JsonText settings;                    ///< what flags made of the config, as --dump-config
     std::vector<std::string> resumed_at;  ///< ISO 8601, UTC
     std::vector<std::string> scenes;      ///< of the plan: "furnace 9f86d081884c7d65", name and scene_hash
-    std::vector<Case> tuned;            ///< what `ptbench tune` had found for devices and kernels of the plan
-    double coordinator_cpu_s = 0;       ///< of the process that drives the workers: what measuring costs
-    std::optional<Lease> lease;         ///< of a node of a fleet
-    std::vector<std::string> expected;  ///< all nodes of the fleet that this one was told of
-    std::string finished_at;            ///< of such a node, once its last case is in its journal
+    std::vector<Case> tuned;       ///< what `ptbench tune` had found for devices and kernels of the plan
+    double coordinator_cpu_s = 0;  ///< of the process that drives the workers: what measuring costs
+    std::optional<Lease> lease{};  ///< of a node of a fleet
+    std::vector<std::string> expected{};  ///< all nodes of the fleet that this one was told of
+    std::string finished_at{};            ///< of such a node, once its last case is in its journal
     bool operator==(const RunInfo&) const = default;
 };
 

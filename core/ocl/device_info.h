@@ -21,8 +21,8 @@ struct DeviceInfo {
     std::vector<std::uint64_t> max_work_item_sizes;
     std::uint64_t timer_resolution_ns = 0;
     bool images = false, profiling = true;
-    std::string pci;   ///< "0000:3b:00.0", or empty
-    std::string node;  ///< of a fleet, or empty
+    std::string pci;     ///< "0000:3b:00.0", or empty
+    std::string node{};  ///< of a fleet, or empty
     // What the vendor's management library tells of the board, or nothing.
     std::string serial, vbios;
     std::optional<bool> ecc;

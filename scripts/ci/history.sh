@@ -27,6 +27,8 @@ trap 'rm -rf "$outputs"' EXIT
 
 code=0
 "$ptbench" "$@" --out "$outputs/run" --json "$folder/$name.json" || code=$?
-"$ptbench" report --history "$folder" --html "$folder/index.html" --md "$folder/history.md"
-if [ -n "${GITHUB_STEP_SUMMARY-}" ]; then cat "$folder/history.md" >>"$GITHUB_STEP_SUMMARY"; fi
+reported=0
+"$ptbench" report --history "$folder" --html "$folder/index.html" --md "$folder/history.md" || reported=$?
+if [ "$code" -eq 0 ]; then code=$reported; fi
+if [ -n "${GITHUB_STEP_SUMMARY-}" ] && [ -e "$folder/history.md" ]; then cat "$folder/history.md" >>"$GITHUB_STEP_SUMMARY"; fi
 exit "$code"

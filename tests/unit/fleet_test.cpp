@@ -297,6 +297,9 @@ TEST(Confirm, slow_is_who_is_over_three_percent_for_sure) {
     EXPECT_NEAR(found[0].mean, 0.1, 1e-12);
     EXPECT_NEAR(found[0].at_least, 0.1 - 2.1318 * 0.0070711, 1e-6);
     EXPECT_EQ(confirmed({{0.02, 0.03, 0.04, 0.05, 0.06}})[0].speed, Speed::suspect);
+    const auto beside_one_without_times = confirmed({{}, sessions});
+    EXPECT_EQ(beside_one_without_times[0].speed, Speed::suspect);
+    EXPECT_EQ(beside_one_without_times[1].speed, Speed::slow);
 }
 
 TEST(Confirm, among_many_more_is_needed) {
