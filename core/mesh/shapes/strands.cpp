@@ -40,7 +40,9 @@ Geometry make_slivers(int detail) {
     Geometry slivers;
     for (int i = 0; i < 128 << (2 * detail); ++i) {
         Chance chance(static_cast<std::uint64_t>(i));
-        const Vec3 from = chance.point(), to = from + chance.direction() * (1.5 + 0.5 * chance.number());
+        const Vec3 from = chance.point();
+        const double length = 1.5 + 0.5 * chance.number();  // in an order that no compiler chooses
+        const Vec3 to = from + chance.direction() * length;
         const Vec3 across = normalized(cross(to - from, chance.direction()));
         slivers.add(from, to, from + across * (0.01 / (1 << detail)));
     }
