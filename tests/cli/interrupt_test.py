@@ -32,7 +32,7 @@ class Interrupted(CliTest):
                 (self.scratch.work / "out/journal.jsonl").unlink()
 
     def test_a_batch_system_that_ends_all_processes_leaves_no_crash(self):
-        process = self.start_and_wait_for_one_record()
+        process = self.start_and_wait_for_one_record(*LONG)
         for worker in set(map(int, self.scratch.processes())) - {process.pid}:  # which hears of it first
             os.kill(worker, signal.SIGTERM)
         process.send_signal(signal.SIGTERM)
