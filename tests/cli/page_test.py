@@ -284,7 +284,7 @@ class Page(unittest.TestCase):
         self.assertTrue(links)
         for device, part in links:
             self.assertIn(device, part)
-        BROWSER.look(380, "dark")
+        show(SCRATCH.work / "made.html", 380, "dark")
         self.assertLessEqual(BROWSER.evaluate("document.documentElement.scrollWidth"), 380)
         BROWSER.screenshot(SHOTS / "devices.png")
 

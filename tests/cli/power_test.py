@@ -35,7 +35,7 @@ WRONG = (
 
 # Of pt_nee: name, scene, and so on. What is too small for a picture of these scenes: tests/render/light_test.cpp.
 ROULETTE = ("-a", "roulette=albedo")
-MET = "share_of_met(world, path, *face, hit_distance(&hit), alive COUNTED_ARGUMENT)"
+MET = "share_of_met(world, path, hit, alive COUNTED_ARGUMENT)"
 WRONG_LIGHT = (
     ("what is met counts in full, cap", "thesis", "pt_nee/pt_nee.cl", MET, "(lanes_f)(1.0f)", "standard errors"),
     ("what is met counts in full, cone", "free_light", "pt_nee/pt_nee.cl", MET, "(lanes_f)(1.0f)", "standard errors"),
@@ -59,7 +59,7 @@ WRONG_ENDS = (
     ("light that passes glass is not scaled", "lamp_in_glass", "bdpt/vertex.h",
      "if (carries) path->throughput = vec_scale(path->throughput, squeezed);", "", "standard errors"),
     ("light that the camera sees is left out", "lamp_in_glass", "bdpt/bdpt.cl",
-     "        show(world, picture, &light[count], &of_camera, traced COUNTED_ARGUMENT);\n", "", "standard errors"),
+     "    show_all(world, picture, light, count, &path->inside, traced COUNTED_ARGUMENT);\n", "", "standard errors"),
     ("odds of vertices that are joined x 2", "eclipse", "bdpt/join.h", "g * (view->density * light->odds + light->density * view->odds)",
      "2.0f * g * (view->density * light->odds + light->density * view->odds)", "standard errors"),
 )

@@ -151,7 +151,7 @@ class Axes(CliTest):
     def test_unknown_names_get_the_nearest_and_what_there_is(self):
         for words, says in [
             (("--kernel", "ptt"), ('"ptt"', "did you mean pt?", "thesis, whitted, direct, pt, pt_nee")),
-            (("--scene", "thesi"), ('"thesi"', "did you mean thesis?", "free_light, furnace, lamps, thesis")),
+            (("--scene", "thesi"), ('"thesi"', "did you mean thesis?", "furnace, gap, hair, knot, lamp_in_glass, lamps, menger, slivers, terrain, thesis")),
             (("--config", "quik"), ('"quik"', "did you mean quick?", "cards, ci, doctor, ladder, memory, quality, queues, quick, speed, thesis, tune, workgroups")),
             (("--config", "."), ("no file", "cards, ci, doctor, ladder, memory, quality, queues, quick, speed, thesis, tune, workgroups")),
         ]:
