@@ -8,13 +8,13 @@
 #define WHITTED_POINT_WORK (3u + 5u + 3u + SCENE_RSQRT_FLOPS + 11u + 5u), SCENE_RSQRT_ROOTS, SCENE_RSQRT_DIVISIONS, 32u
 #define WHITTED_LIGHT_WORK 6u, 0u, 1u, 20u
 
-/* Triangles send most along their normals. */
-static inline lanes_f sent_by(__global const SceneLamp* lamp, Vec direction) {
+/* What a lamp that sends so much at most sends in a direction: triangles send most along their normals. */
+static inline lanes_f sent_along(__global const SceneLamp* lamp, Vec direction, lanes_f most) {
 #ifdef SCENE_TREE
-    if ((lamp->face & SCENE_TRIANGLE) != 0u) return fabs(vec_dot(vec_of(lamp->axis_extent), direction));
+    if ((lamp->face & SCENE_TRIANGLE) != 0u) return most * fabs(vec_dot(vec_of(lamp->axis_extent), direction));
 #endif
     (void)lamp, (void)direction;
-    return (lanes_f)(1.0f);
+    return most;
 }
 
 /* Adds the light of the point that stands for a lamp. A cap, which is sunk, sends it to one side alone. */
@@ -33,7 +33,7 @@ static inline void gather_point(const World* world, Path* path, const Surface* s
     const lanes_mask lit = matte & sent & (cosine > 0.0f);
     if (!lanes_any(lit)) return;
     COUNTED_LANES(counts & lit, WHITTED_LIGHT_WORK)
-    const Vec radiance = vec_scale(vec_of(lamp->radiance_kept), middle_sent.w * (1.0f / PI) * cosine * sent_by(lamp, direction) / squared);
+    const Vec radiance = vec_scale(vec_of(lamp->radiance_kept), sent_along(lamp, direction, middle_sent.w * (1.0f / PI) * cosine) / squared);
     gather_unless_shadowed(world, path, lit, direction, squared * inverse, (lanes_u)(lamp->face), radiance, counts COUNTED_ARGUMENT);
 }
 
