@@ -53,8 +53,7 @@ DeviceInfo device_now(const Card& card, const DeviceList& list) {
         const bool same = card.device.uuid.empty()
                               ? device.key == card.device.key && device.name == card.device.name
                               : device.uuid == card.device.uuid;
-        if (same && device.excluded.empty() && (device.key == card.device.key || !card.device.uuid.empty()))
-            return device;
+        if (same && device.excluded.empty()) return device;
     }
     throw NotComparable(fmt::format("--confirm: {} is not there any more", label(card)));
 }

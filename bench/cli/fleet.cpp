@@ -16,7 +16,6 @@
 #include "bench/fleet/nodes.h"
 #include "bench/fleet/rejoin.h"
 #include "bench/measure/clock.h"
-#include "bench/measure/counted.h"
 #include "bench/measure/fit.h"
 #include "bench/plan/data_dir.h"
 #include "bench/record/continued.h"
@@ -137,12 +136,7 @@ void run_part(const Options& options, Part& part, Coordinator& coordinator) {
     const Forecast forecast = coordinator.estimate();
     tell(options.common, prediction_text(forecast, prepared.plan.cases, prepared.config.max_total_time_s));
     if (options.run.peaks && result.peaks.empty()) result.peaks = coordinator.peaks();
-    ProgressPrinter progress(stderr, progress_style(options.common), prepared.plan, forecast,
-                             use_colour(options.common, stderr));
-    const std::vector<Record> measured = coordinator.run(forecast, {&journal, &progress});
-    result.cases.insert(result.cases.end(), measured.begin(), measured.end());
-    result.cases = in_plan_order(prepared.planned, result.cases);
-    add_shares(result.cases, result.peaks);
+    measure_plan(options.common, prepared, coordinator, forecast, journal, result);
 }
 
 /// The journal once more, with what is known at the end.

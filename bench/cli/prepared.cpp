@@ -10,9 +10,11 @@
 #include "bench/cli/check.h"
 #include "bench/cli/commands.h"
 #include "bench/cli/tell.h"
+#include "bench/measure/counted.h"
 #include "bench/measure/surroundings.h"
 #include "bench/plan/data_dir.h"
 #include "bench/plan/scene_file.h"
+#include "bench/record/continued.h"
 #include "bench/record/host.h"
 #include "core/scene/content.h"
 
@@ -39,6 +41,11 @@ std::vector<std::string> hashed_scenes(const std::vector<Case>& cases) {
     std::vector<std::string> scenes;
     for (const auto& name : names) scenes.push_back(name + " " + scene_hash(scene_file(name, data_dir())));
     return scenes;
+}
+
+ProgressStyle progress_style(const CommonFlags& flags) {
+    if (flags.quiet) return ProgressStyle::silent;
+    return is_live(stderr) ? ProgressStyle::live : ProgressStyle::lines;
 }
 
 }  // namespace
@@ -79,9 +86,14 @@ OpenChannel channels(const Options& options, const Config& config, const Stopped
                             std::chrono::duration_cast<std::chrono::milliseconds>(silence), stopped);
 }
 
-ProgressStyle progress_style(const CommonFlags& flags) {
-    if (flags.quiet) return ProgressStyle::silent;
-    return is_live(stderr) ? ProgressStyle::live : ProgressStyle::lines;
+void measure_plan(const CommonFlags& flags, const Prepared& prepared, Coordinator& coordinator,
+                  const Forecast& forecast, RunObserver& journal, ResultFile& result) {
+    ProgressPrinter progress(stderr, progress_style(flags), prepared.plan, forecast,
+                             use_colour(flags, stderr));
+    const std::vector<Record> measured = coordinator.run(forecast, {&journal, &progress});
+    result.cases.insert(result.cases.end(), measured.begin(), measured.end());
+    result.cases = in_plan_order(prepared.planned, result.cases);
+    add_shares(result.cases, result.peaks);
 }
 
 }  // namespace ptb

@@ -33,6 +33,10 @@ ResultFile start_result(const Prepared& prepared, const Options& options,
                         const std::vector<std::string>& argv);
 
 OpenChannel channels(const Options& options, const Config& config, const Stopped& stopped);
-ProgressStyle progress_style(const CommonFlags& flags);
+
+/// Measures the cases of the plan, which the journal hears of, and adds their records to those that the
+/// result has.
+void measure_plan(const CommonFlags& flags, const Prepared& prepared, Coordinator& coordinator,
+                  const Forecast& forecast, RunObserver& journal, ResultFile& result);
 
 }  // namespace ptb

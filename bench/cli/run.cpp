@@ -18,7 +18,6 @@
 #include "bench/cli/tell.h"
 #include "bench/cli/tuned.h"
 #include "bench/measure/clock.h"
-#include "bench/measure/counted.h"
 #include "bench/measure/fit.h"
 #include "bench/plan/data_dir.h"
 #include "bench/record/continued.h"
@@ -70,12 +69,7 @@ void run_plan(const Options& options, const Prepared& prepared, const Outputs& o
     tell(options.common, prediction_text(forecast, prepared.plan.cases, prepared.config.max_total_time_s));
     if (options.run.peaks) result.peaks = coordinator.peaks();
     JournalWriter journal(outputs.journal(), result);
-    ProgressPrinter progress(stderr, progress_style(options.common), prepared.plan, forecast,
-                             use_colour(options.common, stderr));
-    const std::vector<Record> measured = coordinator.run(forecast, {&journal, &progress});
-    result.cases.insert(result.cases.end(), measured.begin(), measured.end());
-    result.cases = in_plan_order(prepared.planned, result.cases);
-    add_shares(result.cases, result.peaks);
+    measure_plan(options.common, prepared, coordinator, forecast, journal, result);
     result.fits = fits_over_spp(result.cases);
 }
 

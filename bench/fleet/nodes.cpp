@@ -1,7 +1,6 @@
 #include "bench/fleet/nodes.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
@@ -12,6 +11,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "bench/record/host.h"
 #include "core/input/printable.h"
 #include "core/input/usage_error.h"
 
@@ -23,11 +23,6 @@ constexpr std::size_t most_nodes = 100'000;
 std::string in_environment(const char* name) {
     const char* const value = std::getenv(name);
     return value == nullptr ? "" : value;
-}
-
-std::string host_name() {
-    std::array<char, 256> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
 /// A name becomes a file's.

@@ -1,5 +1,6 @@
 #include "bench/record/host.h"
 
+#include <array>
 #include <charconv>
 #include <cstdlib>
 #include <ctime>
@@ -10,6 +11,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/utsname.h>
+#include <unistd.h>
 
 #include "bench/record/cpus.h"
 #include "bench/version.h"
@@ -58,6 +60,11 @@ std::uint64_t total_memory(std::string_view meminfo) {
     std::uint64_t value = 0;
     std::from_chars(kilobytes.data(), kilobytes.data() + kilobytes.size(), value);
     return value * 1024;
+}
+
+std::string host_name() {
+    std::array<char, 256> name{};
+    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
 HostInfo host_info() {

@@ -13,6 +13,9 @@ namespace ptb {
 /// Facts of this host, from the kernel's files; what cannot be read stays empty.
 HostInfo host_info();
 
+/// The name of this host; empty where it cannot be told.
+std::string host_name();
+
 /// Facts of this program and this moment; `config` and `seed` of the run.
 RunInfo run_info(std::vector<std::string> argv, const std::string& config, std::uint64_t seed);
 

@@ -1,11 +1,11 @@
 #include "bench/worker/identity.h"
 
-#include <array>
 #include <random>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "bench/record/host.h"
 #include "bench/version.h"
 #include "core/input/printable.h"
 #include "core/integrator/registry.h"
@@ -13,11 +13,6 @@
 
 namespace ptb {
 namespace {
-
-std::string host_name() {
-    std::array<char, 256> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
 
 std::string hash_of(const Integrator& kernel, const std::string& kernel_dir) {
     try {

@@ -61,7 +61,9 @@ def said_by(*words):
 
 
 def cut_power(node):
+    """SIGKILL to the node's slurmd, and to all that runs beside it under its hostname."""
     home = namespace(daemon_of(node))
+    ensure(home, f"{node} has no slurmd")
     for each in pathlib.Path("/proc").glob("[0-9]*"):
         if namespace(each.name) == home:
             os.kill(int(each.name), signal.SIGKILL)

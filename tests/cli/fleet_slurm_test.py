@@ -2,15 +2,17 @@
 
 import json
 import os
-import pathlib
 import re
 import shutil
-import signal
 import subprocess
+import sys
 import time
 import unittest
 
 from ptbench import BINARY, SOURCE, CliTest
+
+sys.path.insert(0, str(SOURCE / "scripts/experiments"))
+import fleet_cuts  # noqa: E402
 
 TOOLS = ("slurmctld", "slurmd", "srun", "scancel", "squeue", "munged", "unshare")
 SRUN = ("srun", "--no-kill", "--wait=0", "--kill-on-bad-exit=0")
@@ -53,27 +55,6 @@ def tearDownModule():
         cluster.communicate()
 
 
-def namespace(pid):
-    try:
-        return os.readlink(f"/proc/{pid}/ns/uts")
-    except OSError:  # it has just ended
-        return None
-
-
-def processes_of(node):
-    """The node's slurmd, and all that runs beside it under its hostname."""
-    for file in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
-        try:
-            words = file.read_bytes().split(b"\0")
-            ours = f"SLURM_CONF={os.environ['SLURM_CONF']}".encode() in (file.parent / "environ").read_bytes()
-        except OSError:
-            continue
-        if ours and words[:4] == [b"slurmd", b"-D", b"-N", node.encode()]:
-            home = namespace(file.parent.name)
-            return [int(each.name) for each in pathlib.Path("/proc").glob("[0-9]*") if home and namespace(each.name) == home]
-    return []
-
-
 class Slurm(CliTest):
     def setUp(self):
         super().setUp()
@@ -107,11 +88,6 @@ class Slurm(CliTest):
         self.wait_until(lambda: not self.scratch.processes(), "processes stayed")
         shutil.rmtree(self.scratch.root / "tmp")  # what killed processes leave
         (self.scratch.root / "tmp").mkdir()
-
-    def cut_power(self, node):
-        for pid in processes_of(node):
-            os.kill(pid, signal.SIGKILL)
-        subprocess.run(["scontrol", "update", f"nodename={node}", "state=down", "reason=power"], check=True)
 
     def give_power(self, node):
         restarted.append(subprocess.Popen([SOURCE / "scripts/experiments/slurm_node.sh", node],
@@ -151,7 +127,7 @@ class Slurm(CliTest):
 
         cut = self.start(*all_nodes)
         self.wait_until(lambda: len(self.records("n2")) > len(kept["n2"]), "n2 does not go on")
-        self.cut_power("n2")
+        fleet_cuts.cut_power("n2")
         kept_by_n2 = {"n2": self.records("n2")}
         cut.communicate(timeout=60)
         self.assert_nothing_is_left()
