@@ -191,7 +191,7 @@ class EngineRender : public Render {
             if (!row.independent_pixels) splats_.emplace(device_, job.size);
             tallies_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, cut_.max_units() * sizeof(Tally));
             counters_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE,
-                                   slices_of(cut_.max_units()) * sizeof(std::uint32_t));
+                                   2 * slices_of(cut_.max_units()) * sizeof(std::uint32_t));
             starts_ = upload(device_, shape_.runs.starts);
             scene_.emplace(device_, device_scene);
         });
@@ -211,7 +211,7 @@ class EngineRender : public Render {
         const Ranges ranges = ranges_of(launch_.units / slices);
         const std::string what = row_.kernel("render") + ", " + describe(ranges);
         return ocl::checked(what, device_.info.name, [&] {
-            launcher_.queue().enqueueFillBuffer(counters_, 0u, 0, slices * sizeof(std::uint32_t));
+            launcher_.queue().enqueueFillBuffer(counters_, 0u, 0, 2 * slices * sizeof(std::uint32_t));
             launcher_.barrier();
             for (std::uint64_t i = 0; i < slices; ++i) launch_slice(i, slices);
             launcher_.barrier();
@@ -223,6 +223,7 @@ class EngineRender : public Render {
     void launch_slice(std::uint64_t slice, std::uint64_t slices) {
         EngineLaunch part = launch_;
         part.slice = static_cast<std::uint32_t>(slice);
+        part.light_slice = static_cast<std::uint32_t>(slices + slice);
         part.first_unit = static_cast<std::uint32_t>(launch_.units * slice / slices);
         part.units = static_cast<std::uint32_t>(launch_.units * (slice + 1) / slices);
         cl_uint i = 0;

@@ -150,7 +150,7 @@ std::string filter_refusal(const Integrator& row, const RenderJob& job) {
 constexpr int longest_joined = 256;
 
 std::string length_refusal(const Integrator& row, const RenderJob& job) {
-    if (row.independent_pixels || job.path_length <= longest_joined) return "";
+    if (!row.joins_paths || job.path_length <= longest_joined) return "";
     return fmt::format("path_length {}: {} takes at most {}", job.path_length, row.id, longest_joined);
 }
 
@@ -243,7 +243,7 @@ std::string engine_options(const Integrator& row, const ocl::Device& device, con
         text +=
             fmt::format(" -DSCENE_LONE_LAMP={}",
                         std::isinf(device_scene.lone_lamp.near_squared) ? SCENE_FREE_LAMP : SCENE_SUNK_LAMP);
-    if (!row.independent_pixels) text += fmt::format(" -DENGINE_PATH_LENGTH={}", job.path_length);
+    if (row.joins_paths) text += fmt::format(" -DENGINE_PATH_LENGTH={}", job.path_length);
     if (job.variant.roulette == Roulette::albedo) text += " -DENGINE_ROULETTE";
     if (job.variant.film_memory == FilmMemory::image) text += " -DENGINE_IMAGE_FILM";
     if (job.variant.rng == Rng::park_miller) text += " -DPTB_PARK_MILLER";
@@ -252,7 +252,7 @@ std::string engine_options(const Integrator& row, const ocl::Device& device, con
 
 int most_rays(const Integrator& row, int path_length) {
     const int joined = std::min(path_length, longest_joined);
-    return row.independent_pixels ? path_length : joined * (joined + 5) / 2;
+    return !row.joins_paths ? path_length : joined * (joined + 5) / 2;
 }
 
 bool is_throughput_device(const ocl::Device& device) { return device.info.type != "CPU"; }

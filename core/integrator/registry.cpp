@@ -87,11 +87,18 @@ const std::vector<Integrator>& integrators() {
          .meshes = true,
          .samples_lamps = true,
          .truth = "pt"},
+        {.id = "pt_lt",
+         .summary = "pt_nee with light tracing: caustics are shown to the camera by paths from lamps",
+         .machinery = &engine_machinery,
+         .samples_lamps = true,
+         .independent_pixels = false,
+         .truth = "pt"},
         {.id = "bdpt",
          .summary = "bidirectional path tracing: paths from lamps and from the camera, joined in all ways",
          .machinery = &engine_machinery,
          .samples_lamps = true,
          .independent_pixels = false,
+         .joins_paths = true,
          .truth = "pt"},
     };
     return all;

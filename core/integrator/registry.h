@@ -38,7 +38,8 @@ struct Integrator {
 
     /// No path adds to two pixels, so that the error of one follows from the variance of its own samples.
     bool independent_pixels = true;
-    std::string truth = {};  ///< the kernel whose references and host tracer judge its films, if not itself
+    bool joins_paths = false;  ///< joins all vertices of two paths, which it keeps for that
+    std::string truth = {};    ///< the kernel whose references and host tracer judge its films, if not itself
 
     std::string file() const { return id + "/" + id + ".cl"; }  ///< of kernels/
     std::string kernel(const std::string& verb) const { return id + "_" + verb; }

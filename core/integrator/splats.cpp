@@ -27,6 +27,7 @@ std::uint64_t SplatStore::add_to(std::vector<FilmPixel>& pixels, const cl::Comma
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c)
             pixels[i].radiance[c] = sum_of(pixels[i].radiance[c], splats[i], c);
+        pixels[i].shadow_rays += splats[i].shadow_rays;
         light_segments += splats[i].light_segments;
     }
     return light_segments;

@@ -27,14 +27,6 @@
 #define ENGINE_COPY_STEP 1u
 #endif
 
-#ifdef ENGINE_SPLATS
-#define ENGINE_SPLATS_PARAMETER , __global Splat* splats
-#define ENGINE_SPLATS_ARGUMENT , splats
-#else
-#define ENGINE_SPLATS_PARAMETER
-#define ENGINE_SPLATS_ARGUMENT
-#endif
-
 /* Traces the launch's units; see engine/trace.h and engine/sample.h. */
 __kernel void KERNEL(render)(__global Tally* tallies, __global uint* queues, SCENE_SPHERE_BUFFER const SceneSphere* spheres,
                              SCENE_SURFACE_BUFFER const SceneSurface* surfaces, __global const uint* camera_sides,
@@ -59,7 +51,7 @@ __kernel void KERNEL(render)(__global Tally* tallies, __global uint* queues, SCE
 #if SCENE_SPHERES == SCENE_IN_LOCAL || SCENE_SURFACES == SCENE_IN_LOCAL
     barrier(CLK_LOCAL_MEM_FENCE);
 #endif
-    trace_units(tallies, queues + launch.slice, all, rows, camera_sides, run_starts, lamps,
+    trace_units(tallies, queues, all, rows, camera_sides, run_starts, lamps,
                 SCENE_TREE_ARGUMENTS launch ENGINE_SPLATS_ARGUMENT COUNTED_ARGUMENT);
     COUNTED_END
 }

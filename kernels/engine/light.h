@@ -49,6 +49,16 @@ static inline float share_of_triangle(const World* world, const Path* path, cons
 }
 #endif
 
+#ifdef PATH_ODDS
+/* What paths from lamps leave of a lamp that was met by mirrors and glass alone. */
+static inline lanes_f share_beside_lights(const Path* path, lanes_f cap_density, lanes_f share) {
+    const lanes_f odds = lanes_max(path->odds, (lanes_f)(0.0f)) * cap_density;
+    return share / (1.0f + lanes_select(odds, (lanes_f)(0.0f), path->inverse_density > 0.0f));
+}
+#else
+#define share_beside_lights(path, cap_density, share) (share)
+#endif
+
 /* The share of the radiance met that is not gather_lamp's: by the balance heuristic, see "Optimally Combining Sampling
    Techniques for Monte Carlo Rendering", by Veach and Guibas. */
 static inline lanes_f share_of_met(const World* world, const Path* path, const Hit* hit, lanes_mask counts COUNTED_PARAMETER) {
@@ -64,7 +74,7 @@ static inline lanes_f share_of_met(const World* world, const Path* path, const H
     const Lamp lamp = lamp_of(&world->lamps, number);
     const Density density = density_of_way(&lamp, &path->ray, distance, counts & is_lamp COUNTED_ARGUMENT);
     COUNTED_LANES(counts & is_lamp, LIGHT_SHARE_WORK)
-    return lanes_select((lanes_f)(1.0f), share_beside(path, density), is_lamp);
+    return lanes_select((lanes_f)(1.0f), share_beside_lights(path, lamp.cap_density, share_beside(path, density)), is_lamp);
 }
 
 /* Adds `radiance`, from a lamp's face along `direction`, to what these matte hits send back, if nothing is between. */

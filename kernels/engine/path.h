@@ -26,6 +26,9 @@ typedef struct Path {
                                 glass left no choice */
     lanes_u shadow_rays;     /* by this lane, ever */
 #endif
+#ifdef PATH_ODDS
+    lanes_f odds; /* of other strategies that make the same path, as its integrator keeps them; below 0 of a camera's ray */
+#endif
     Sides inside;
     Random random;
     lanes_u last_turn; /* of the work-item's loop, where every turn traces a segment of every path */
@@ -40,6 +43,9 @@ static inline Path no_path(void) {
     path.radiance = zero;
     path.inverse_density = (lanes_f)(0.0f);
     path.shadow_rays = none;
+#endif
+#ifdef PATH_ODDS
+    path.odds = (lanes_f)(-1.0f);
 #endif
     path.random = random_none();
     path.last_turn = none;
@@ -64,6 +70,7 @@ typedef struct World {
     Scene scene;
     Surfaces surfaces;
     Lamps lamps;
+    const PtbPicture* frame;
 } World;
 
 /* Russian roulette, with ENGINE_ROULETTE: a path goes on from a surface with the mean of what the surface reflects as its

@@ -13,23 +13,12 @@ static inline void start_samples(Path* path, Unit* unit, lanes_mask busy, Start 
     start_spares(path, &spare, busy, 0u, start, launch);
 }
 
-/* Segments of light paths go to the pixels of the units that they belong to. */
-static inline void add_light_segments(const Picture* picture, const Unit* unit, Traced now, lanes_mask finished,
-                                      const EngineLaunch* launch) {
-    const Traced traced = traced_since(&now, &unit->before);
-    for (uint lane = 0; lane < PTB_LANES; ++lane) {
-        if (!LANE(finished, lane)) continue;
-        const uint pixel = launch->first_pixel + LANE(unit->number, lane) % launch->pixels;
-        (void)atomic_add((volatile __global uint*)&picture->splats[pixel].light_segments, LANE(traced.light_segments, lane));
-    }
-}
-
-ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queue, SCENE_SPHERE_SPACE const SceneSphere* spheres,
+ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, SCENE_SPHERE_SPACE const SceneSphere* spheres,
                                 SCENE_SURFACE_SPACE const SceneSurface* surface_rows, __global const uint* camera_sides,
                                 __global const uint* run_starts, __global const SceneLamp* lamps,
-                                SCENE_TREE_PARAMETERS EngineLaunch launch,
-                                __global Splat* splats COUNTED_PARAMETER) {
+                                SCENE_TREE_PARAMETERS EngineLaunch launch ENGINE_SPLATS_PARAMETER COUNTED_PARAMETER) {
     ENGINE_STAY_OUTLINED;
+    __global uint* queue = queues + launch.slice;
     const World world = world_of(spheres, surface_rows, lamps, SCENE_TREE_ARGUMENTS &launch);
     const Start start = start_of(&world, surface_rows, camera_sides);
     const Picture picture = picture_of(&launch, start.row->position_side, splats);
@@ -47,7 +36,7 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queue, S
         const lanes_mask finished = busy & (unit.sample == unit.end);
         if (!lanes_any(finished)) continue;
         write_units(&unit, traced, finished, tallies);
-        add_light_segments(&picture, &unit, traced, finished, &launch);
+        add_light_rays(&picture, &unit, traced, finished, false, &launch);
         COUNTED_LANES(finished, ENGINE_UNIT_WORK)
         COUNTED_LANES(finished, ENGINE_TAKE_WORK)
         busy &= !finished | take_units(&unit, traced, finished, queue, run_starts, &launch);

@@ -73,4 +73,17 @@ static inline void splat(const Picture* picture, lanes_u pixel, Vec radiance, la
         (void)atomic_inc((volatile __global uint*)&picture->splats[number[lowest_bit(left)]].broken);
 }
 
+/* Rays of light paths go to the pixels of the units that they belong to; `own_shadow_rays`: no tally has those. */
+static inline void add_light_rays(const Picture* picture, const Unit* unit, Traced now, lanes_mask finished,
+                                  bool own_shadow_rays, const EngineLaunch* launch) {
+    const Traced traced = traced_since(&now, &unit->before);
+    for (uint lane = 0; lane < PTB_LANES; ++lane) {
+        if (!LANE(finished, lane)) continue;
+        const uint pixel = launch->first_pixel + LANE(unit->number, lane) % launch->pixels;
+        volatile __global Splat* place = picture->splats + pixel;
+        (void)atomic_add(&place->light_segments, LANE(traced.light_segments, lane));
+        if (own_shadow_rays) (void)atomic_add(&place->shadow_rays, LANE(traced.shadow_rays, lane));
+    }
+}
+
 #endif

@@ -7,6 +7,9 @@
 
 #include "engine/unit.h"
 #include "engine/work.h"
+#ifdef ENGINE_SPLATS
+#include "engine/lights.h"
+#endif
 
 /* Segments that a lone lane traces before it looks after its paths' ends. On GPUs the lanes of a warp end one by one, and
    all wait while one starts anew: better that the ended ones wait for each other. 1: 3.02, 6: 3.47 Gsamples/s (H200). */
@@ -22,11 +25,12 @@ static inline Traced traced_by(const Path* path, uint turn) {
     return traced;
 }
 
-ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queue, SCENE_SPHERE_SPACE const SceneSphere* spheres,
+ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, SCENE_SPHERE_SPACE const SceneSphere* spheres,
                                 SCENE_SURFACE_SPACE const SceneSurface* surface_rows, __global const uint* camera_sides,
                                 __global const uint* run_starts, __global const SceneLamp* lamps,
-                                SCENE_TREE_PARAMETERS EngineLaunch launch COUNTED_PARAMETER) {
+                                SCENE_TREE_PARAMETERS EngineLaunch launch ENGINE_SPLATS_PARAMETER COUNTED_PARAMETER) {
     ENGINE_STAY_OUTLINED;
+    __global uint* queue = queues + launch.slice;
     const World world = world_of(spheres, surface_rows, lamps, SCENE_TREE_ARGUMENTS &launch);
     const Start start = start_of(&world, surface_rows, camera_sides);
     Unit unit = no_unit();
@@ -78,6 +82,10 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queue, S
         }
         meeting = begin_meeting(world.scene, &path.ray, &path.inside COUNTED_ARGUMENT);
     }
+#ifdef ENGINE_SPLATS
+    const Picture picture = picture_of(&launch, start.row->position_side, splats);
+    trace_light_units(&world, &picture, start, queues + launch.light_slice, run_starts, &launch COUNTED_ARGUMENT);
+#endif
 }
 
 #endif

@@ -16,6 +16,14 @@
 #define ENGINE_STAY_OUTLINED (void)0
 #endif
 
+#ifdef ENGINE_SPLATS
+#define ENGINE_SPLATS_PARAMETER , __global Splat* splats
+#define ENGINE_SPLATS_ARGUMENT , splats
+#else
+#define ENGINE_SPLATS_PARAMETER
+#define ENGINE_SPLATS_ARGUMENT
+#endif
+
 /* Rays that each lane traced, ever. */
 typedef struct Traced {
     lanes_u segments, shadow_rays;
@@ -195,7 +203,7 @@ static inline World world_of(SCENE_SPHERE_SPACE const SceneSphere* spheres, SCEN
 #endif
     Scene scene = {spheres, opaque, count, 0u SCENE_TREE_MEMBERS};
     scene.distance_mask = ((SCENE_SURFACE_SPACE const SceneStart*)&surface_rows[background(scene) + 1u])->distance_mask;
-    const World world = {scene, surfaces_of(surface_rows, background(scene)), {&launch->lamp, lamps, launch->lamps}};
+    const World world = {scene, surfaces_of(surface_rows, background(scene)), {&launch->lamp, lamps, launch->lamps}, &launch->picture};
     return world;
 }
 
@@ -203,6 +211,19 @@ static inline Start start_of(const World* world, SCENE_SURFACE_SPACE const Scene
                              __global const uint* camera_sides) {
     const Start start = {(SCENE_SURFACE_SPACE const SceneStart*)&surface_rows[background(world->scene) + 1u], camera_sides};
     return start;
+}
+
+/* Those of a camera ray. */
+static inline Sides sides_of(Start start) {
+    Sides sides;
+    sides.word[0] = (lanes_u)(as_uint(start.row->position_side.w));
+    for (uint i = 1; i < SCENE_SIDE_WORDS; ++i) sides.word[i] = (lanes_u)(start.sides[i]);
+    return sides;
+}
+static inline Sides sides_select(const Sides* if_false, const Sides* if_true, lanes_mask mask) {
+    Sides sides;
+    for (uint i = 0; i < SCENE_SIDE_WORDS; ++i) sides.word[i] = lanes_select_u(if_false->word[i], if_true->word[i], mask);
+    return sides;
 }
 
 /* Ends these paths and starts the lanes' spares in their place. */
@@ -215,12 +236,13 @@ static inline void start_spares(Path* path, Spare* spare, lanes_mask ended, uint
     path->radiance = vec_select(path->radiance, vec_of((float4)(0.0f)), ended);
     path->inverse_density = lanes_select(path->inverse_density, (lanes_f)(0.0f), ended);
 #endif
+#ifdef PATH_ODDS
+    path->odds = lanes_select(path->odds, (lanes_f)(-1.0f), ended);
+#endif
     path->random = random_select(path->random, spare->random, ended);
     path->last_turn = lanes_select_u(path->last_turn, (lanes_u)(turn + launch->path_length), ended);
-    path->inside.word[0] = lanes_select_u(path->inside.word[0], (lanes_u)(as_uint(start.row->position_side.w)), ended);
-    for (uint i = 1; i < SCENE_SIDE_WORDS; ++i) {
-        path->inside.word[i] = lanes_select_u(path->inside.word[i], (lanes_u)(start.sides[i]), ended);
-    }
+    const Sides of_camera = sides_of(start);
+    path->inside = sides_select(&path->inside, &of_camera, ended);
 #ifdef SCENE_TREE
     if (ended) path->ray.left = TREE_NOTHING;
 #endif

@@ -42,7 +42,11 @@
 
 /* engine/light.h: what is met, and its share; a lamp's cosine at a surface, the weight of its light, and that light. */
 #define LIGHT_MET_WORK 9u, 0u, 0u, SCENE_SURFACE_BYTES(12u)
+#ifdef PATH_ODDS
+#define LIGHT_SHARE_WORK 5u, 0u, 2u, 0u
+#else
 #define LIGHT_SHARE_WORK 3u, 0u, 1u, 0u
+#endif
 #define LIGHT_TRIANGLE_WORK 7u, 0u, 0u, 0u
 #define LIGHT_COSINE_WORK 11u, 0u, 0u, 0u
 #define LIGHT_WEIGHT_WORK 7u, 0u, 1u, 0u
@@ -59,8 +63,13 @@
     COUNTED_SEGMENTS(counted_lanes(alive))                                                               \
     COUNTED_RAYS(scene, alive)
 #define COUNTED_RAYS(scene, alive)                                                                       \
+    COUNTED_MEETING(scene, alive)                                                                        \
+    COUNTED_BOUNCE(scene, alive)
+#define COUNTED_MEETING(scene, alive)                                                                    \
     COUNTED(1u, SCENE_STEP_WORK((scene).count))                                                          \
-    COUNTED_LANES(alive, SCENE_SEGMENT_WORK(scene))                                                      \
+    COUNTED_LANES(alive, SCENE_MEETING_WORK(scene))
+#define COUNTED_BOUNCE(scene, alive)                                                                     \
+    COUNTED_LANES(alive, SCENE_BOUNCE_WORK)                                                              \
     COUNTED(two_sided_spheres(scene) > 0u ? counted_lanes(alive) : 0u, SCENE_REFRACTION_WORK)            \
     COUNTED_LANES(alive, ENGINE_ROULETTE_WORK)
 /* The density of a bounce's direction. */

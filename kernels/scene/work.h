@@ -65,12 +65,13 @@
 /* Spheres whose root is an estimate and a Newton step, of 6 flops. */
 #define SCENE_ESTIMATES(scene) (SQRT_ESTIMATED * ((scene).opaque / 2u))
 
-/* A segment, throughput too, and the numbers of its surface. */
-#define SCENE_SEGMENT_WORK(scene)                                                                                     \
+/* A segment: what it meets, and the numbers of that surface; throughput, and the bounce there. */
+#define SCENE_MEETING_WORK(scene)                                                                                     \
     (SCENE_LINE_FLOPS + (scene).count * SCENE_TEST_FLOPS + SCENE_ESTIMATES(scene) * 6u + SCENE_CARE_FLOPS -           \
-     SCENE_SAVED_FLOPS + 3u + SCENE_SCATTER_FLOPS + SCENE_SPHERE_FLOPS + SCENE_NORMALIZE_FLOPS),                      \
-        ((scene).count - SCENE_ESTIMATES(scene) + SCENE_SPHERE_ROOTS + SCENE_RSQRT_ROOTS),                            \
-        (SCENE_RSQRT_DIVISIONS + SCENE_VAST_ONES), SCENE_SURFACE_BYTES(48u)
+     SCENE_SAVED_FLOPS), ((scene).count - SCENE_ESTIMATES(scene)), SCENE_VAST_ONES, SCENE_SURFACE_BYTES(48u)
+#define SCENE_BOUNCE_WORK                                                                                             \
+    (3u + SCENE_SCATTER_FLOPS + SCENE_SPHERE_FLOPS + SCENE_NORMALIZE_FLOPS), (SCENE_SPHERE_ROOTS + SCENE_RSQRT_ROOTS), \
+        SCENE_RSQRT_DIVISIONS, 0u
 /* The spheres, which all lanes of a work-item share. */
 #define SCENE_STEP_WORK(spheres) 0u, 0u, 0u, (spheres) * SCENE_SPHERE_BYTES
 /* Refraction, which every ray works out in scenes with two-sided spheres. */

@@ -37,7 +37,8 @@ typedef struct EngineLaunch {
     float squares_scale;  /* of squared radiance, 1 / this */
     ptb_uint lamps;
     ptb_uint height;
-    ptb_uint padding[3];
+    ptb_uint light_slice; /* the counter of paths from lamps, where they are traced by themselves */
+    ptb_uint padding[2];
     PtbPicture picture;
     SceneLamp lamp; /* the first */
 } EngineLaunch;
@@ -71,10 +72,12 @@ PTB_ASSERT_SIZE(FilmPixel, 64);
 /* What samples of all pixels add to one: by atomics, whose sum of whole numbers does not depend on their order either. */
 typedef struct Splat {
     ptb_long radiance[3];    /* times `radiance_scale` */
-    ptb_uint light_segments; /* of the pixel's own samples: segments of their paths from lamps */
+    ptb_uint light_segments; /* of the pixel's own samples: segments of their paths from lamps, */
+    ptb_uint shadow_rays;    /* and shadow rays that no tally has */
     ptb_uint broken;         /* samples whose radiance was no number, or too large */
+    ptb_uint padding;
 } Splat;
-PTB_ASSERT_SIZE(Splat, 32);
+PTB_ASSERT_SIZE(Splat, 40);
 
 /* A film in an image has its pixels cut into so many layers of 16 bytes, one below the other. */
 #define FILM_LAYERS 4

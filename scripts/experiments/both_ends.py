@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What paths from both ends are worth: pt, pt_nee and bdpt at equal time, on scenes whose lamps are hard to find.
+"""What paths from both ends are worth: pt, pt_nee, pt_lt and bdpt at equal time, on scenes whose lamps are hard to find.
 
 usage: both_ends.py PTBENCH [--device cpu] [--size 128] [--spp 512] [--cpu-time ROUNDS] [--scenes thesis,eclipse,...]
 
@@ -14,7 +14,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-KERNELS = ("pt", "pt_nee", "bdpt")
+KERNELS = ("pt", "pt_nee", "pt_lt", "bdpt")
 SCENES = "thesis,eclipse,gap,caustic,lamp_in_glass"
 PATH_LENGTH = "8"
 START_SPP, TIMED_SPP = 4, 200

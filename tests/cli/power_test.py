@@ -37,8 +37,8 @@ WRONG = (
 ROULETTE = ("-a", "roulette=albedo")
 MET = "share_of_met(world, path, hit, alive COUNTED_ARGUMENT)"
 WRONG_LIGHT = (
-    ("what is met counts in full, cap", "thesis", "pt_nee/pt_nee.cl", MET, "(lanes_f)(1.0f)", "standard errors"),
-    ("what is met counts in full, cone", "free_light", "pt_nee/pt_nee.cl", MET, "(lanes_f)(1.0f)", "standard errors"),
+    ("what is met counts in full, cap", "thesis", "pt_nee/segment.h", MET, "(lanes_f)(1.0f)", "standard errors"),
+    ("what is met counts in full, cone", "free_light", "pt_nee/segment.h", MET, "(lanes_f)(1.0f)", "standard errors"),
     ("density of what is asked for x 1.1", "thesis", "engine/light.h", "PI * lamp.density.part", "1.1f * PI * lamp.density.part",
      "standard errors"),
     ("the lamp's cosine left out", "thesis", "scene/lamps.h", "cosine = -vec_dot(sample.direction, outwards);",
@@ -54,7 +54,7 @@ WRONG_LIGHT = (
      "(void)in, (void)meets, (void)leaves, (void)other;", "standard errors"),
 )
 
-# Of bdpt, by 32 renders of each, at path length 8: smaller faults are tests/render/bdpt_test.cpp's.
+# Of bdpt, by 32 renders of each, at path length 8: smaller faults are tests/render/both_ends_test.cpp's.
 WRONG_ENDS = (
     ("light that passes glass is not scaled", "lamp_in_glass", "bdpt/vertex.h",
      "if (carries) path->throughput = vec_scale(path->throughput, squeezed);", "", "standard errors"),

@@ -98,23 +98,22 @@ RenderJob room_job(int path_length, int lanes, Roulette roulette = Roulette::off
     return job;
 }
 
-Found found_in(const Scene& scene, const ocl::Device& device, const RenderJob& job) {
-    const ocl::Program program = ocl::build(device, kernel_source(integrator("bdpt").file()),
-                                            integrator("bdpt").options(device, scene, job));
+/// By the product's own kernels, or those of a folder.
+Found found_in(const Integrator& row, const Scene& scene, const RenderJob& job,
+               const std::string& folder = "") {
+    const ocl::Device device = all_devices().front();
+    const ocl::Program program =
+        ocl::build(device, kernel_source(row.file(), folder), row.options(device, scene, job));
     return found_by(
-        [&](const RenderJob& seeded) {
-            const auto render = integrator("bdpt").make(device, program, scene, seeded);
-            return finish(*render);
-        },
-        job);
+        [&](const RenderJob& seeded) { return finish(*row.make(device, program, scene, seeded)); }, job);
 }
 
-void expect_found(const Scene& scene, int path_length, double expected, double error,
-                  Roulette roulette = Roulette::off) {
-    const ocl::Device device = all_devices().front();
-    for (const int lanes : {1, default_lanes(integrator("bdpt"), device.info)}) {
-        SCOPED_TRACE(fmt::format("lanes {}, path length {}", lanes, path_length));
-        const Found found = found_in(scene, device, room_job(path_length, lanes, roulette));
+void expect_found(const std::string& kernel, const Scene& scene, int path_length, double expected,
+                  double error, Roulette roulette = Roulette::off) {
+    const Integrator& row = integrator(kernel);
+    for (const int lanes : {1, default_lanes(row, all_devices().front().info)}) {
+        SCOPED_TRACE(fmt::format("{}, lanes {}, path length {}", kernel, lanes, path_length));
+        const Found found = found_in(row, scene, room_job(path_length, lanes, roulette));
         EXPECT_LT(found.standard_error, error * expected) << "more samples, or a fault is missed";
         EXPECT_LT(std::abs(found.z(expected)), 4.5) << found.mean << ", " << expected << " expected";
     }
@@ -123,12 +122,12 @@ void expect_found(const Scene& scene, int path_length, double expected, double e
 TEST(Bdpt, a_room_has_the_light_of_every_bounce) {
     for (const double lamp_radius : {2.0, 5.0})
         for (const int path_length : {2, 6})
-            expect_found(room_of_lamp(lamp_radius), path_length, wall_radiance(lamp_radius, path_length),
-                         0.001);
+            expect_found("bdpt", room_of_lamp(lamp_radius), path_length,
+                         wall_radiance(lamp_radius, path_length), 0.001);
 }
 
 TEST(Bdpt, roulette_changes_none_of_it) {
-    expect_found(room_of_lamp(5), 6, wall_radiance(5, 6), 0.002, Roulette::albedo);
+    expect_found("bdpt", room_of_lamp(5), 6, wall_radiance(5, 6), 0.002, Roulette::albedo);
 }
 
 constexpr double lamp_in_glass = 2, glass_radius = 4;
@@ -148,7 +147,12 @@ double glass_wall_radiance(int path_length) {
 
 TEST(Bdpt, a_lamp_in_a_glass_ball_looks_larger_and_a_little_darker) {
     for (const int path_length : {3, 4})
-        expect_found(room_of_glass(), path_length, glass_wall_radiance(path_length), 0.01);
+        expect_found("bdpt", room_of_glass(), path_length, glass_wall_radiance(path_length), 0.01);
+}
+
+TEST(LightTracing, shares_the_light_of_a_lamp_in_glass_with_paths_that_meet_it) {
+    for (const Roulette roulette : {Roulette::off, Roulette::albedo})
+        expect_found("pt_lt", room_of_glass(), 4, glass_wall_radiance(4), 0.005, roulette);
 }
 
 TEST(Bdpt, halves_of_sums_added_by_themselves_make_the_same_bits) {
@@ -199,15 +203,9 @@ std::filesystem::path plant(const Planted& fault) {
 }
 
 /// Standard errors by which the kernel with a fault misses what the formula says.
-double missed_by(const Planted& fault, const Scene& scene, const RenderJob& job, double expected) {
-    const ocl::Device device = all_devices().front();
-    const Integrator& row = integrator("bdpt");
-    const ocl::Program program =
-        ocl::build(device, kernel_source(row.file(), plant(fault).string()), row.options(device, scene, job));
-    const auto render = [&](const RenderJob& seeded) {
-        return finish(*row.make(device, program, scene, seeded));
-    };
-    return std::abs(found_by(render, job).z(expected));
+double missed_by(const Planted& fault, const Scene& scene, const RenderJob& job, double expected,
+                 const std::string& kernel = "bdpt") {
+    return std::abs(found_in(integrator(kernel), scene, job, plant(fault).string()).z(expected));
 }
 
 TEST(Bdpt, wrong_shares_are_found) {
@@ -254,6 +252,43 @@ TEST(Bdpt, wrong_glass_is_found) {
         SCOPED_TRACE(fault.name);
         EXPECT_GT(missed_by(fault, room_of_glass(), room_job(3, 8), glass_wall_radiance(3)), 6);
     }
+}
+
+TEST(LightTracing, wrong_shares_are_found) {
+    for (const Planted& fault : {
+             Planted{"odds of what is shown x 1.2", "pt_lt/odds.h",
+                     "vertex.odds = path->odds * met->goes_on;",
+                     "vertex.odds = 1.2f * path->odds * met->goes_on;"},
+             Planted{"odds of what is met x 1.2", "engine/light.h",
+                     "const lanes_f odds = lanes_max(path->odds",
+                     "const lanes_f odds = 1.2f * lanes_max(path->odds"},
+             Planted{"what is met counts in full", "engine/light.h", "share / (1.0f +",
+                     "share / (1.0f + 0.0f *"},
+             Planted{"glass left out of the odds of what is met", "pt_lt/odds.h",
+                     "path->odds = path->odds * squeezed(before, &path->inside, &surface);", ";"},
+             Planted{"glass left out of the odds of what is shown", "pt_lt/odds.h",
+                     "path->odds = path->odds * factor;", ";"},
+             Planted{"light that passes glass is not scaled", "pt_lt/odds.h",
+                     "path->throughput = vec_scale(path->throughput, factor);", ";"},
+         }) {
+        SCOPED_TRACE(fault.name);
+        EXPECT_GT(missed_by(fault, room_of_glass(), room_job(4, 8), glass_wall_radiance(4), "pt_lt"), 6);
+    }
+}
+
+TEST(LightTracing, light_that_lamps_are_asked_for_is_not_shown_again) {
+    const Planted twice{"paths that meet matte surfaces first are shown, too", "pt_lt/pt_lt.cl",
+                        "alive & !(fresh & met.matte) & !met.ends", "alive & !met.ends"};
+    EXPECT_LT(std::abs(found_in(integrator("pt_lt"), room_of_lamp(5), room_job(4, 8)).z(wall_radiance(5, 4))),
+              4.5);
+    EXPECT_GT(missed_by(twice, room_of_lamp(5), room_job(4, 8), wall_radiance(5, 4), "pt_lt"), 6);
+}
+
+TEST(LightTracing, wrong_roulette_is_found) {
+    const Planted left_out{"the chance to go on left out of the odds of what is shown", "pt_lt/odds.h",
+                           "vertex.odds = path->odds * met->goes_on;", "vertex.odds = path->odds;"};
+    const RenderJob job = room_job(4, 8, Roulette::albedo);
+    EXPECT_GT(missed_by(left_out, room_of_glass(), job, glass_wall_radiance(4), "pt_lt"), 6);
 }
 
 }  // namespace

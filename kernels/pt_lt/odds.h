@@ -1,0 +1,65 @@
+/* How likely a path is by the other of two strategies: lamps met from the camera by mirrors or glass, and matte surfaces shown to it
+   that light came to so. Both trace the same segments but the camera's, and of each between matte surfaces the densities are the same
+   from either end, the cosine's; so the odds are those of the camera's segment and of the lamp's point alone. A camera path keeps the
+   former, for a density of 1 of the point; a light path the latter, for a density of 1 of the vertex shown. */
+#ifndef PTB_PT_LT_ODDS_H
+#define PTB_PT_LT_ODDS_H
+
+#include "bdpt/vertex.h"
+#include "pt_lt/work.h"
+
+/* The squared index of refraction that paths passed into, over that which they came from. */
+ALWAYS_INLINE lanes_f squeezed(const Sides* before, const Sides* after, const Surface* surface) {
+    return lanes_select((lanes_f)(1.0f), surface->eta_squared, sides_differ(before, after));
+}
+
+/* After a segment of camera paths. What a mirror or glass shows first no vertex of a light path is shown by: odds of 0. */
+ALWAYS_INLINE void note_odds(const World* world, Path* path, const Hit* hit, Vec direction, const Sides* before,
+                             lanes_mask alive COUNTED_PARAMETER) {
+    (void)alive;
+    const Surface surface = surface_of(&world->surfaces, hit_face(hit));
+    COUNTED(two_sided_spheres(world->scene) > 0u ? counted_lanes(alive) : 0u, PT_LT_GLASS_WORK)
+    if (two_sided_spheres(world->scene) > 0u) path->odds = path->odds * squeezed(before, &path->inside, &surface);
+    const lanes_mask first = path->odds < 0.0f;
+    if (!lanes_any(first)) return;
+    COUNTED_LANES(alive & first, PT_LT_FIRST_WORK)
+    const lanes_f distance = hit_distance(hit), axis_cosine = vec_dot(direction, vec_of(world->frame->axis_area));
+    const lanes_f cosine = -vec_dot(matte_normal(path, &surface), direction) * chance_to_go_on(&surface);
+    const lanes_f odds = distance * distance * (axis_cosine * axis_cosine * axis_cosine * world->frame->axis_area.w) / cosine;
+    const lanes_mask shown = (surface.mirrored == 0.0f) & (cosine > 0.0f);
+    path->odds = lanes_select(path->odds, lanes_select((lanes_f)(0.0f), odds, shown), first);
+}
+
+/* Moves light paths to what they met, which is shown where it is matte. */
+ALWAYS_INLINE Vertex move_to_shown(Path* path, const Arrival* met, lanes_mask alive COUNTED_PARAMETER) {
+    COUNTED_LANES(alive, PT_LT_VERTEX_WORK)
+    move_to_hit(&path->ray, &met->hit);
+    path->throughput = vec_mul(path->throughput, met->surface.weight);
+    Vertex vertex;
+    vertex.position = path->ray.origin;
+    vertex.normal = matte_normal(path, &met->surface);
+    vertex.weight = vec_scale(path->throughput, (lanes_f)(1.0f / PI));
+    vertex.odds = path->odds * met->goes_on;
+    vertex.density = met->goes_on;
+    vertex.inside = path->inside;
+    vertex.face = met->face;
+    vertex.joins = alive & met->matte;
+    return vertex;
+}
+
+/* Light is squeezed where it passes glass, since radiance here is not scaled by the squared index of refraction. */
+ALWAYS_INLINE lanes_mask bounce_light(const World* world, Path* path, const Arrival* met, lanes_mask alive COUNTED_PARAMETER) {
+    const Vec draw = draw_bounce(&path->random);
+    const Sides before = path->inside;
+    (void)scatter(world->scene, &path->ray, &path->inside, &met->hit, &met->surface, &draw);
+    const lanes_mask goes_on = alive & !dies(path, met->goes_on);
+    if (two_sided_spheres(world->scene) > 0u) {
+        COUNTED_LANES(alive, BDPT_GLASS_WORK(true))
+        const lanes_f factor = squeezed(&before, &path->inside, &met->surface);
+        path->odds = path->odds * factor;
+        path->throughput = vec_scale(path->throughput, factor);
+    }
+    return goes_on;
+}
+
+#endif
