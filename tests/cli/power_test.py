@@ -59,7 +59,7 @@ WRONG_ENDS = (
     ("light that passes glass is not scaled", "lamp_in_glass", "bdpt/vertex.h",
      "if (carries) path->throughput = vec_scale(path->throughput, squeezed);", "", "standard errors"),
     ("light that the camera sees is left out", "lamp_in_glass", "bdpt/bdpt.cl",
-     "    show_all(world, picture, light, count, &path->inside, traced COUNTED_ARGUMENT);\n", "", "standard errors"),
+     "    show_all(world, picture, light, &path->inside, traced COUNTED_ARGUMENT);\n", "", "standard errors"),
     ("odds of vertices that are joined x 2", "eclipse", "bdpt/join.h", "g * (view->density * light->odds + light->density * view->odds)",
      "2.0f * g * (view->density * light->odds + light->density * view->odds)", "standard errors"),
 )
