@@ -6,6 +6,14 @@
        Vec gathered_radiance(const World*, const Path*, lanes_u face)
            what a path is worth that ended there
 
+   and with ENGINE_SPLATS, for engine/lights.h,
+
+       void leave_lamps(const World*, Path*, lanes_mask fresh COUNTED_PARAMETER)
+           puts these paths, which start where the camera is, on lamps
+       lanes_mask trace_light_segment(const World*, const Picture*, Path*, lanes_mask fresh, lanes_mask alive,
+                                      const Sides* of_camera, Traced* COUNTED_PARAMETER)
+           traces the next segment of every path, fresh ones' first; returns the lanes whose path may go on
+
    or for engine/sample.h, with ENGINE_SPLATS,
 
        lanes_mask trace_sample(const World*, const Picture*, Path*, lanes_mask alive, Traced* COUNTED_PARAMETER)
