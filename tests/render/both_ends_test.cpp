@@ -223,8 +223,7 @@ TEST(Bdpt, wrong_shares_are_found) {
                      "cosine * cosine * cosine * picture->frame.axis_area.w / (picture->width * "
                      "picture->height)"},
              Planted{"light that the camera sees is left out", "bdpt/bdpt.cl",
-                     "    show_all(world, picture, light, &path->inside, traced COUNTED_ARGUMENT);\n",
-                     ""},
+                     "    show_all(world, picture, light, &path->inside, traced COUNTED_ARGUMENT);\n", ""},
              Planted{"what is met counts in full", "bdpt/join.h", "whole / (whole + others), is_lamp",
                      "(lanes_f)(1.0f), is_lamp"},
              Planted{"a vertex too few is joined", "bdpt/bdpt.cl", "segment + i + 1u < ENGINE_PATH_LENGTH",
