@@ -1,11 +1,13 @@
 #!/bin/sh
 # Makes results/references: the exact commands. Run from the repository's root; takes about 40 minutes of one core.
-# usage: scripts/make_references.sh [FOLDER OF ptbench_reference] [THREADS]
+# usage: scripts/make_references.sh [FOLDER OF ptbench_reference] [THREADS] [SCENE [KERNEL]]
 set -eu
 bin=${1:-build/release/bin}
 threads=${2:-1}
+scene_alone=${3:-} kernel_alone=${4:-}
 
 make_one() { # scene kernel path_length spp
+    [ "${scene_alone:-$1} ${kernel_alone:-$2}" = "$1 $2" ] || return 0
     echo "$1 $2, path length $3, $4 spp" >&2
     "$bin/ptbench_reference" --scene "configs/scenes/$1.json" --kernel "$2" --path-length "$3" --spp "$4" \
         --size 128 --seed 1 --threads "$threads" --out results/references

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Compiles every kernel alone as strict OpenCL C 1.2, for every lane width and for what scenes and machines switch on.
 # Holds that a build that does not count has no token of what counts.
+# usage: kernels.sh [FOLDER OF kernels...]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -13,6 +14,9 @@ if [ -z "$clang" ]; then
     [ -z "${PTB_STRICT-}" ] && exit 77 # ctest: skipped
     exit 1
 fi
+
+folders=("${@/#/kernels/}")
+[ $# -gt 0 ] || folders=(kernels)
 
 checks=0 failures=0
 check() { # FILE OPTIONS...
@@ -63,7 +67,7 @@ while IFS= read -r kernel; do
         echo "in $kernel without PTB_COUNT" >&2
         failures=$((failures + 1))
     fi
-done < <(find kernels -name '*.cl' | sort)
+done < <(find "${folders[@]}" -name '*.cl' | sort)
 
 echo "$checks compilations with $clang, $failures failed"
 [ "$checks" -gt 0 ] && [ "$failures" -eq 0 ]
