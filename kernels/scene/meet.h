@@ -41,11 +41,6 @@ static inline void begin_search(Scene scene, const Ray* ray, const Sides* inside
     search_begin(search, ray->origin, ray->direction, hit_distance(hit), ray->left, TREE_NOTHING COUNTED_ARGUMENT);
 }
 
-/* Rounding puts a point this share of its largest corner from a triangle, at most. */
-#define TRIANGLE_MARGIN 0x1p-21f
-
-static inline float largest_part(Vec a) { return fmax(fmax(fabs(a.x), fabs(a.y)), fabs(a.z)); }
-
 /* Takes what the search found into the hit. The point is made of the corners, and kept a hair from the plane on the ray's
    side: so no neighbour in the same plane is met from behind. */
 static inline void end_search(Scene scene, const Ray* ray, const Search* search, Hit* hit COUNTED_PARAMETER) {
@@ -60,7 +55,7 @@ static inline void end_search(Scene scene, const Ray* ray, const Search* search,
     const bool inner = vec_dot(ray->direction, hit->normal) > 0.0f;
     hit->distance_bits = as_uint(found.distance);
     hit->number = as_uint(normal_face.w) + (inner ? 1u : 0u);
-    hit->margin = TRIANGLE_MARGIN * fmax(fmax(largest_part(corner[0]), largest_part(corner[1])), largest_part(corner[2]));
+    hit->margin = triangle_margin(corner);
     const Vec b = vec_sub(corner[1], corner[0]), c = vec_sub(corner[2], corner[0]);
     const Vec point = vec_add_scaled(vec_add_scaled(corner[0], b, found.b), c, found.c);
     hit->point = vec_add_scaled(point, hit->normal, inner ? -hit->margin : hit->margin);

@@ -113,6 +113,8 @@ static inline void search_leaf(Tree tree, Search* s, const bool any COUNTED_PARA
     search_pop(s);
 }
 
+static inline uint triangle_number(Tree tree, uint place) { return as_uint(tree.leaves[3u * place].w); }
+
 /* Corners of the triangle at a place, and its number in the scene. */
 static inline uint triangle_at(Tree tree, uint place, Vec corner[3]) {
     __global const float4* corners = tree.leaves + 3u * place;

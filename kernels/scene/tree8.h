@@ -197,6 +197,8 @@ static inline void search_leaf(Tree tree, Search* s, const bool any COUNTED_PARA
     search_pop(s);
 }
 
+static inline uint triangle_number(Tree tree, uint place) { return as_uint(block_at(tree, place / 8u)[72u + place % 8u]); }
+
 /* Corners of the triangle at a place, and its number in the scene. */
 static inline uint triangle_at(Tree tree, uint place, Vec corner[3]) {
     __global const float* own = block_at(tree, place / 8u) + place % 8u;
