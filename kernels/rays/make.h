@@ -69,9 +69,10 @@ static inline Ground ground_on(Tree tree, uint place, const ListedRay* ray) {
 static inline bool finds_ground(Tree tree, const ListedRay* ray, Ground* ground) {
     COUNTED_BEGIN
     Search search;
+    SearchStack stack;
     search_begin(&search, vec_of(ray->origin_left), vec_of(ray->direction_reach), ray->direction_reach.w,
                  as_uint(ray->origin_left.w), TREE_NOTHING COUNTED_ARGUMENT);
-    search_all(tree, &search, false COUNTED_ARGUMENT);
+    search_all(tree, &search, &stack, false COUNTED_ARGUMENT);
     if (search.found.place == TREE_NOTHING) return false;
     *ground = ground_on(tree, search.found.place, ray);
     return true;

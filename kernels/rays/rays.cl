@@ -14,9 +14,10 @@ static inline void meet_one(Tree tree, __global const ListedRay* ray, __global L
     COUNTED(1u, RAYS_RAY_WORK)
     const float4 origin_left = ray->origin_left, direction_reach = ray->direction_reach;
     Search search;
+    SearchStack stack;
     search_begin(&search, vec_of(origin_left), vec_of(direction_reach), direction_reach.w, as_uint(origin_left.w),
                  TREE_NOTHING COUNTED_ARGUMENT);
-    search_all(tree, &search, any COUNTED_ARGUMENT);
+    search_all(tree, &search, &stack, any COUNTED_ARGUMENT);
     const Found found = search.found;
     uint triangle = TREE_NOTHING;
     if (found.place != TREE_NOTHING) {

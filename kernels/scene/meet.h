@@ -64,8 +64,9 @@ static inline void end_search(Scene scene, const Ray* ray, const Search* search,
 static inline Hit nearest_hit(Scene scene, const Ray* ray, const Sides* inside COUNTED_PARAMETER) {
     Hit hit;
     Search search;
+    SearchStack stack;
     begin_search(scene, ray, inside, &hit, &search COUNTED_ARGUMENT);
-    search_all(scene.tree, &search, false COUNTED_ARGUMENT);
+    search_all(scene.tree, &search, &stack, false COUNTED_ARGUMENT);
     end_search(scene, ray, &search, &hit COUNTED_ARGUMENT);
     return hit;
 }
@@ -75,8 +76,9 @@ static inline bool sees(Scene scene, const Ray* ray, const Sides* inside, float 
     const bool itself = end == ray->left && end != TREE_NOTHING;
     if (itself || !sees_past_spheres(scene, ray, inside, distance, target)) return false;
     Search search;
+    SearchStack stack;
     search_begin(&search, ray->origin, ray->direction, distance, ray->left, end COUNTED_ARGUMENT);
-    search_all(scene.tree, &search, true COUNTED_ARGUMENT);
+    search_all(scene.tree, &search, &stack, true COUNTED_ARGUMENT);
     return search.found.place == TREE_NOTHING;
 }
 
@@ -114,6 +116,8 @@ typedef struct Meeting {
     Search search;
 } Meeting;
 
+typedef SearchStack MeetingStack;
+
 static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* inside COUNTED_PARAMETER) {
     Meeting meeting;
     begin_search(scene, ray, inside, &meeting.sphere, &meeting.search COUNTED_ARGUMENT);
@@ -121,8 +125,8 @@ static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* in
 }
 
 /* Whether it is at its end. */
-static inline bool go_on(Scene scene, Meeting* meeting COUNTED_PARAMETER) {
-    return search_some(scene.tree, &meeting->search COUNTED_ARGUMENT);
+static inline bool go_on(Scene scene, Meeting* meeting, MeetingStack* stack COUNTED_PARAMETER) {
+    return search_some(scene.tree, &meeting->search, stack COUNTED_ARGUMENT);
 }
 
 static inline Hit end_meeting(Scene scene, const Ray* ray, const Sides* inside, const Meeting* meeting COUNTED_PARAMETER) {
@@ -138,6 +142,8 @@ typedef struct Meeting {
     char none;
 } Meeting;
 
+typedef Meeting MeetingStack;
+
 static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* inside COUNTED_PARAMETER) {
     (void)scene, (void)ray, (void)inside;
     COUNTED_UNUSED
@@ -145,8 +151,8 @@ static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* in
     return meeting;
 }
 
-static inline bool go_on(Scene scene, Meeting* meeting COUNTED_PARAMETER) {
-    (void)scene, (void)meeting;
+static inline bool go_on(Scene scene, Meeting* meeting, MeetingStack* stack COUNTED_PARAMETER) {
+    (void)scene, (void)meeting, (void)stack;
     COUNTED_UNUSED
     return true;
 }
