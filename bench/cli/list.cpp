@@ -112,6 +112,7 @@ Case case_of(DeviceWorker& worker, const std::string& device, const std::string&
 std::vector<Record> kernels_on(DeviceWorker& worker, const std::string& device) {
     std::vector<Record> records;
     for (const std::string& kernel : integrator_ids()) {
+        if (!integrator(kernel).spheres) continue;
         Request request;
         request.kind = Request::Kind::run;
         request.params = case_of(worker, device, kernel);

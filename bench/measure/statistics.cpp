@@ -59,7 +59,7 @@ void add_rates(Statistics& statistics, const Work& work) {
     statistics.msamples_per_s = millions_per_s(work.samples);
     statistics.msegments_per_s = millions_per_s(work.segments);
     const std::uint64_t more = work.shadow_rays + work.light_segments;
-    if (more > 0) statistics.mrays_per_s = millions_per_s(work.segments + more);
+    if (more > 0 || work.listed_rays > 0) statistics.mrays_per_s = millions_per_s(work.segments + more);
 }
 
 }  // namespace ptb

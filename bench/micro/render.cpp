@@ -81,6 +81,7 @@ void time_renders(benchmark::State& state, DeviceBench& bench, const Integrator&
 void register_device(const DeviceInfo& info) {
     const auto bench = std::make_shared<DeviceBench>(info.key);
     for (const Integrator& kernel : integrators()) {
+        if (!kernel.spheres) continue;
         const auto run = [bench, &kernel](benchmark::State& state) {
             try {
                 time_renders(state, *bench, kernel);

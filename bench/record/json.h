@@ -10,13 +10,14 @@ namespace ptb {
 // nlohmann/json looks for, `Json json = x` and `json.get<X>()`. Optional values that are absent are null.
 
 template <>
-inline constexpr auto fields<Work> = std::make_tuple(
-    field("samples", &Work::samples), field("segments", &Work::segments),
-    field("shadow_rays", &Work::shadow_rays), field("light_segments", &Work::light_segments),
-    field("full_length_paths", &Work::full_length_paths), field("lanes", &Work::lanes),
-    field("renders", &Work::renders), field("passes", &Work::passes),
-    field("longest_launch_ns", &Work::longest_launch_ns), field("device_bytes", &Work::device_bytes),
-    field("overlap", &Work::overlap), field("film_hash", &Work::film_hash));
+inline constexpr auto fields<Work> =
+    std::make_tuple(field("samples", &Work::samples), field("segments", &Work::segments),
+                    field("shadow_rays", &Work::shadow_rays), field("light_segments", &Work::light_segments),
+                    field("full_length_paths", &Work::full_length_paths), field("lanes", &Work::lanes),
+                    field("renders", &Work::renders), field("passes", &Work::passes),
+                    field("longest_launch_ns", &Work::longest_launch_ns),
+                    field("device_bytes", &Work::device_bytes), field("overlap", &Work::overlap),
+                    field("film_hash", &Work::film_hash), field("listed_rays", &Work::listed_rays));
 
 template <>
 inline constexpr auto fields<Build> = std::make_tuple(

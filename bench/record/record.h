@@ -27,6 +27,7 @@ struct Work {
     std::optional<double> overlap;   ///< out of order: share of the launches' times that ran beside another's
     std::string film_hash{};         ///< of the timed film's bits: equal devices give equal ones
     std::uint64_t light_segments = 0;  ///< beside them too, of paths that start at lamps
+    std::uint64_t listed_rays = 0;     ///< of the segments those that are rays of a list, and no path's
     bool operator==(const Work&) const = default;
 };
 
@@ -70,7 +71,8 @@ struct Statistics {
     std::optional<double> ci_low_ns, ci_high_ns;  ///< exact 95 % interval of the median; absent for small n
     std::string stop_reason;  ///< "precision", "max_time", "max_samples", "max_total_time", "low_n"
     double msamples_per_s = 0, msegments_per_s = 0;
-    std::optional<double> mrays_per_s;  ///< all segments and shadow rays, where there are any of these
+    std::optional<double>
+        mrays_per_s;  ///< all that was traced, where that is more than paths' segments, or listed
     bool operator==(const Statistics&) const = default;
 };
 

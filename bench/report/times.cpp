@@ -35,6 +35,16 @@ bool any_joules(const std::vector<Record>& records) {
                        [](const Record& record) { return record.energy && record.energy->joules; });
 }
 
+bool any_listed(const std::vector<Record>& records) {
+    return std::any_of(records.begin(), records.end(),
+                       [](const Record& record) { return record.work && record.work->listed_rays > 0; });
+}
+
+std::string mrays_per_s(const Record& record) {
+    const auto& s = record.statistics;
+    return s && s->mrays_per_s ? number_text(*s->mrays_per_s) : "-";
+}
+
 std::string samples_per_joule(const Record& record) {
     const auto& energy = record.energy;
     return energy && energy->samples_per_joule ? number_text(*energy->samples_per_joule / 1e3) : "-";
@@ -88,7 +98,7 @@ Section times_section(const ResultFile& result) {
 Section times_section(const ResultFile& result, const std::vector<std::string>& axes) {
     const auto records = shown_records(result);
     if (records.empty()) return {};
-    const bool notes = any_note(records), joules = any_joules(records);
+    const bool notes = any_note(records), joules = any_joules(records), rays = any_listed(records);
     Section section;
     section.title = "times" + constants(records, axes);
     section.grid.columns = {{"vendor", false, 16},
@@ -103,11 +113,13 @@ Section times_section(const ResultFile& result, const std::vector<std::string>& 
                             {"+- %", true},
                             {"Msamples/s", true},
                             {"Msegments/s", true}};
+    if (rays) section.grid.columns.push_back({"Mrays/s", true});
     if (joules) section.grid.columns.push_back({"ksamples/J", true});
     for (const auto& axis : axes) section.grid.columns.push_back({axis, axis == "path_length"});
     if (notes) section.grid.columns.push_back({"note"});
     for (const Record& record : records) {
         auto& row = section.grid.rows.emplace_back(cells(result, record));
+        if (rays) row.push_back(mrays_per_s(record));
         if (joules) row.push_back(samples_per_joule(record));
         for (const auto& axis : axes) row.push_back(case_value(record.params, axis));
         if (notes) row.push_back(note(record));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bench/validate/rays.h"
 #include "bench/validate/validate.h"
 #include "bench/workbench/host_reference.h"
 #include "bench/workbench/seeded.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr double validation_s = 15;  ///< a slow device validates on the samples that this time gives
 constexpr int fewest_spp = 4;
 constexpr int unstored_spp = 64;  ///< at most, where the host's few samples are the truth
+constexpr int listed_spp = 2;     ///< of rays that are judged one by one
 
 /// Samples a pixel of the validation, by the kernel's speed.
 int validation_spp(double ns_per_sample) {
@@ -35,11 +37,20 @@ const Validation& Validator::verdict(const CaseJob& job, const Stage& stage) {
 }
 
 Validation Validator::judged(const CaseJob& plain, const Stage& stage) {
+    if (plain.kernel->lists_rays) return judged_by_rays(plain.sized(validation_size, listed_spp), stage);
     const auto stored = stored_reference(plain);
     const int spp = validation_spp(pace_.ns_per_sample(plain));
     CaseJob job = plain.sized(validation_size, stored ? spp : std::min(spp, unstored_spp));
     const Film film = rendered(plain, job, stage);
     return judged_by(stored, job, film);
+}
+
+Validation Validator::judged_by_rays(CaseJob job, const Stage& stage) {
+    const Film film = rendered(job, job, stage);
+    Validation validation = check_film(evidence_of(film, job.work));
+    check_rays(validation, *film.rays);
+    validation.against = "a search of all triangles, one by one";
+    return validation;
 }
 
 /// Where pixels share paths, by passes, whose samples `job` is then told.
@@ -80,6 +91,7 @@ void Validator::check_timed_film(const CaseJob& job, const Film& film, Validatio
     const FilmEvidence evidence = evidence_of(film, job.work, passes_of(job));
     Validation own = check_film(evidence);
     if (const auto stored = stored_reference(job)) check_timed(own, evidence, *stored);
+    if (film.rays) check_rays(own, *film.rays);
     validation.checks.emplace_back("timed image");
     if (!own.valid) fail(validation, "the timed image: " + own.reason);
 }

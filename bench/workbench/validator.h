@@ -30,6 +30,7 @@ class Validator {
 
   private:
     Validation judged(const CaseJob& plain, const Stage& stage);
+    Validation judged_by_rays(CaseJob job, const Stage& stage);
     Film rendered(const CaseJob& plain, CaseJob& job, const Stage& stage);
     Validation judged_by(const std::optional<Reference>& stored, const CaseJob& job, const Film& film) const;
     const Passes* passes_of(const CaseJob& job) const;

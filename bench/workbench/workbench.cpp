@@ -38,6 +38,7 @@ Film read_back(Render& render, Record& record) {
     record.work->light_segments = film.light_segments;
     record.work->full_length_paths = film.full_length_paths.value_or(0);
     record.work->film_hash = film.hash;
+    if (film.rays) record.work->listed_rays = film.segments;
     return film;
 }
 

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "core/integrator/camera.h"
+#include "core/integrator/large_buffer.h"
 
 namespace ptb {
 
@@ -14,18 +15,6 @@ namespace {
 std::array<float, 3> device_corner(const Vec3& corner, const Vec3& origin) {
     const ptb_float4 seen = device_vector(corner - origin);
     return {seen.x, seen.y, seen.z};
-}
-
-/// Of all meshes, in the order of their numbers.
-std::vector<Triangle> device_triangles(const Scene& scene, const Vec3& origin) {
-    std::vector<Triangle> triangles;
-    triangles.reserve(triangle_count(scene));
-    for (const Mesh& mesh : scene.meshes)
-        for (const auto& [a, b, c] : mesh.faces)
-            triangles.push_back(
-                {{device_corner(mesh.vertices[a], origin), device_corner(mesh.vertices[b], origin),
-                  device_corner(mesh.vertices[c], origin)}});
-    return triangles;
 }
 
 /// Outwards, of length 1. Edges are scaled, so that no unit of length makes it vanish.
@@ -65,6 +54,25 @@ std::uint64_t DeviceMeshes::node_bytes() const {
 std::uint64_t DeviceMeshes::leaf_bytes() const {
     if (!tree) return 0;
     return tree->triangles.size() * sizeof(TreeTriangle) + tree->blocks.size() * sizeof(TreeBlock8);
+}
+
+std::vector<Triangle> device_triangles(const Scene& scene, const Vec3& origin) {
+    std::vector<Triangle> triangles;
+    triangles.reserve(triangle_count(scene));
+    for (const Mesh& mesh : scene.meshes)
+        for (const auto& [a, b, c] : mesh.faces)
+            triangles.push_back(
+                {{device_corner(mesh.vertices[a], origin), device_corner(mesh.vertices[b], origin),
+                  device_corner(mesh.vertices[c], origin)}});
+    return triangles;
+}
+
+std::vector<cl::Buffer> tree_buffers(const ocl::Device& device, const Tree& tree) {
+    const auto buffer = [&](const auto& rows) {
+        return large_buffer(device, std::as_bytes(std::span(rows)));
+    };
+    if (tree.nodes2.empty()) return {buffer(tree.nodes8), buffer(tree.blocks)};
+    return {buffer(tree.nodes2), buffer(tree.triangles)};
 }
 
 void add_meshes(DeviceScene& device, const Scene& scene, TreeLayout layout, const TreeSettings& settings) {

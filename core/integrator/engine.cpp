@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/integrator/camera.h"
+#include "core/integrator/device_meshes.h"
 #include "core/integrator/engine_options.h"
 #include "core/integrator/film.h"
 #include "core/integrator/large_buffer.h"
@@ -79,14 +80,8 @@ struct SceneBuffers {
           few(scene.few),
           bytes(scene.bytes()) {
         if (!scene.has_meshes) return;
-        const Tree& tree = *scene.meshes.tree;
-        const bool wide = tree.nodes2.empty();
-        const auto add = [&](const auto& rows) {
-            meshes.push_back(large_buffer(device, std::as_bytes(std::span(rows))));
-        };
-        wide ? add(tree.nodes8) : add(tree.nodes2);
-        wide ? add(tree.blocks) : add(tree.triangles);
-        add(scene.meshes.triangles);
+        meshes = tree_buffers(device, *scene.meshes.tree);
+        meshes.push_back(large_buffer(device, std::as_bytes(std::span(scene.meshes.triangles))));
     }
 };
 

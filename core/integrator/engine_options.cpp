@@ -97,29 +97,11 @@ TreeSettings settings_of(const Variant& variant) {
 /// Stacks of so many links or the next multiple share a build.
 constexpr int stack_step = 16;
 
-std::string mesh_options(const ocl::Device& device, const DeviceScene& scene, const RenderJob& job) {
-    const TreeFacts& tree = scene.meshes.tree->facts;
-    std::string text = fmt::format(" -DSCENE_TREE={} -DTREE_STACK={}",
-                                   layout_of(device, job.variant) == TreeLayout::bvh2 ? 2 : 8,
-                                   (tree.stack_most / stack_step + 1) * stack_step);
-    text += is_throughput_device(device) ? " -DSCENE_PAUSES" : " -DENGINE_ALONE";
+std::string mesh_options(const ocl::Device& device, const DeviceScene& scene) {
+    std::string text = tree_options(device, *scene.meshes.tree);
+    if (is_throughput_device(device)) text += " -DSCENE_PAUSES";
     if (scene.meshes.refract) text += " -DSCENE_GLASS";
     return text;
-}
-
-/// What cannot be where there are meshes.
-std::string mesh_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,
-                         const RenderJob& job) {
-    if (scene.meshes.empty()) return "";
-    if (job.lanes != 1)
-        return fmt::format("lanes {}: {} has 1 with meshes, as in scene {}", job.lanes, row.id, scene.name);
-    if (ocl::bounds_loops(device.info))
-        return fmt::format("scene {} has meshes: this device drops what loops do after {} turns", scene.name,
-                           ocl::loop_limit(device.info));
-    if (job.variant.build == BuildMode::relaxed)
-        return fmt::format("build relaxed: {} loses rays at edges so; with meshes it has default, strict",
-                           row.id);
-    return "";
 }
 
 /// Whether a path may carry every sphere's gap: each move adds an error of its own, as in a random walk.
@@ -184,6 +166,26 @@ std::uint32_t strata_columns(std::uint32_t spp) {
     return columns;
 }
 
+std::string tree_options(const ocl::Device& device, const Tree& tree) {
+    return fmt::format(" -DSCENE_TREE={} -DTREE_STACK={}{}", tree.nodes2.empty() ? 8 : 2,
+                       (tree.facts.stack_most / stack_step + 1) * stack_step,
+                       is_throughput_device(device) ? "" : " -DENGINE_ALONE");
+}
+
+std::string mesh_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                         const RenderJob& job) {
+    if (scene.meshes.empty()) return "";
+    if (job.lanes != 1)
+        return fmt::format("lanes {}: {} has 1 with meshes, as in scene {}", job.lanes, row.id, scene.name);
+    if (ocl::bounds_loops(device.info))
+        return fmt::format("scene {} has meshes: this device drops what loops do after {} turns", scene.name,
+                           ocl::loop_limit(device.info));
+    if (job.variant.build == BuildMode::relaxed)
+        return fmt::format("build relaxed: {} loses rays at edges so; with meshes it has default, strict",
+                           row.id);
+    return "";
+}
+
 DeviceScene device_scene_for(const Integrator& row, const ocl::Device& device, const Scene& scene,
                              const RenderJob& job) {
     DeviceScene result = make_device_scene(scene);
@@ -236,7 +238,7 @@ std::string engine_options(const Integrator& row, const ocl::Device& device, con
         text +=
             fmt::format(" -DENGINE_FILTER={}",
                         job.variant.pixel_filter == PixelFilter::centre ? ENGINE_CENTRE : ENGINE_STRATIFIED);
-    if (device_scene.has_meshes) text += mesh_options(device, device_scene, job);
+    if (device_scene.has_meshes) text += mesh_options(device, device_scene);
     const bool many_lamps = device_scene.lamps.size() > 1 || device_scene.has_meshes;
     if (row.samples_lamps && many_lamps) text += " -DSCENE_MANY_LAMPS";
     if (row.samples_lamps && !many_lamps)

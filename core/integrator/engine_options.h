@@ -12,6 +12,13 @@ namespace ptb {
 DeviceScene device_scene_for(const Integrator& row, const ocl::Device& device, const Scene& scene,
                              const RenderJob& job);
 
+/// Build options of kernels that search this tree.
+std::string tree_options(const ocl::Device& device, const Tree& tree);
+
+/// What cannot be where there are meshes, or nothing.
+std::string mesh_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                         const RenderJob& job);
+
 /// Build options of an integrator for a job.
 std::string engine_options(const Integrator& row, const ocl::Device& device, const Scene& scene,
                            const RenderJob& job);

@@ -8,6 +8,7 @@
 
 #include "core/integrator/engine.h"
 #include "core/integrator/engine_options.h"
+#include "core/integrator/rays.h"
 #include "core/integrator/thesis.h"
 #include "core/integrator/variant_support.h"
 
@@ -56,6 +57,11 @@ std::string tree_reason(const Scene& scene, const Variant& variant) {
     return "";
 }
 
+std::string ray_kind_reason(const Integrator& integrator, const Variant& variant) {
+    if (integrator.lists_rays || variant.ray_kind == RayKind{}) return "";
+    return fmt::format("ray_kind {}: {} lists no rays", variant_value("ray_kind", variant), integrator.id);
+}
+
 }  // namespace
 
 const std::vector<Integrator>& integrators() {
@@ -100,6 +106,14 @@ const std::vector<Integrator>& integrators() {
          .independent_pixels = false,
          .joins_paths = true,
          .truth = "pt"},
+        {.id = "rays",
+         .summary = "lists of rays of one kind, met with the tree of a scene's meshes: no light",
+         .machinery = &rays_machinery,
+         .lanes = {1},
+         .meshes = true,
+         .spheres = false,
+         .lists_rays = true,
+         .counts_full_length = false},
     };
     return all;
 }
@@ -135,13 +149,15 @@ std::string unsupported_reason(const Integrator& integrator, const ocl::Device& 
                            fmt::join(integrator.lanes, ", "));
     if (!scene.meshes.empty() && !integrator.meshes)
         return fmt::format("scene {} has meshes: {} sees spheres alone", scene.name, integrator.id);
+    if (scene.meshes.empty() && !integrator.spheres)
+        return fmt::format("scene {} has no meshes: {} meets triangles alone", scene.name, integrator.id);
     if (paths_per_item(device, scene, most_rays(integrator, job.path_length)) == 0)
         return fmt::format("path_length {} with {} spheres: this device drops what loops do after {} turns",
                            job.path_length, scene.spheres.size(), ocl::loop_limit(device.info));
     for (const std::string& reason :
-         {tree_reason(scene, job.variant), work_group_reason(integrator, device.info, job),
-          launch_refusal(device, job), integrator.refusal(device, scene, job),
-          memory_reason(integrator, device, scene, job)})
+         {tree_reason(scene, job.variant), ray_kind_reason(integrator, job.variant),
+          work_group_reason(integrator, device.info, job), launch_refusal(device, job),
+          integrator.refusal(device, scene, job), memory_reason(integrator, device, scene, job)})
         if (!reason.empty()) return reason;
     return "";
 }

@@ -30,7 +30,10 @@ struct Integrator {
     std::string summary;  ///< one line for `ptbench list`
     const Machinery* machinery = nullptr;
     std::vector<int> lanes = {1, 4, 8, 16, 32};  ///< lane widths it can be built for
-    bool meshes = false;                         ///< sees meshes, and not spheres alone
+    bool meshes = false;                         ///< sees meshes
+    bool spheres = true;                         ///< sees spheres
+    bool lists_rays =
+        false;  ///< its samples are rays of a list, judged one by one, and its picture is no light
     bool two_dimensional = false;    ///< its work units are pixels, so a 2-D work-group means something
     bool samples_lamps = false;      ///< asks lamps for their light
     bool only_asks = false;          ///< finds no light at matte surfaces that it cannot ask for

@@ -9,6 +9,7 @@
 #include "core/image/image.h"
 #include "core/ocl/program.h"
 #include "core/render/counted_rows.h"
+#include "core/render/ray_sample.h"
 #include "core/render/variant.h"
 #include "core/scene/scene.h"
 
@@ -44,6 +45,7 @@ struct Film {
     std::optional<std::uint64_t> full_length_paths;
     std::uint64_t light_segments = 0;  ///< beside them too, of paths that start at lamps
     std::string hash{};                ///< of its bits on the device (FilmHash)
+    std::optional<RaySample> rays{};   ///< where samples are rays of a list
 };
 
 /// One scene being rendered on one device: buffers, kernels and how far it has come. Work is done in steps

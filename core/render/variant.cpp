@@ -46,6 +46,9 @@ const std::vector<VariantAxis>& variant_axes() {
                             {"auto", "bvh2", "wide8"}),
         axis<&Variant::bvh_split>("bvh_split", "how it is built: xyz parts boxes by place alone, not by size",
                                   {"spatial", "sah", "spatial_xyz", "sah_xyz"}),
+        axis<&Variant::ray_kind>("ray_kind",
+                                 "which rays the kernel rays lists: of the camera, or from there on",
+                                 {"primary", "bounce1", "bounce3", "shadow"}),
     };
     return axes;
 }

@@ -17,6 +17,7 @@ enum class Roulette { off, albedo };
 enum class BuildMode { standard, strict, relaxed };
 enum class Bvh { automatic, bvh2, wide8 };
 enum class BvhSplit { spatial, sah, spatial_xyz, sah_xyz };
+enum class RayKind { primary, bounce1, bounce3, shadow };
 
 /// How an integrator's work is expressed in OpenCL, beyond lanes and work-groups: the choices that the 2016
 /// thesis discusses. Which of them an integrator has, it says itself (`Integrator::refusal`).
@@ -32,6 +33,7 @@ struct Variant {
     BuildMode build = BuildMode::standard;
     Bvh bvh = Bvh::automatic;                ///< how the tree of a scene's meshes lies in memory
     BvhSplit bvh_split = BvhSplit::spatial;  ///< how it is built; xyz: boxes are not parted by size
+    RayKind ray_kind = RayKind::primary;     ///< of a list of rays
     auto operator<=>(const Variant&) const = default;
 };
 

@@ -42,9 +42,10 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, 
     start_spares(&path, &spare, alive, 0u, start, &launch);
 
     uint turn = 0u;
+    MeetingStack waiting;
     Meeting meeting = begin_meeting(world.scene, &path.ray, &path.inside COUNTED_ARGUMENT);
     while (lanes_any(alive)) {
-        if (!go_on(world.scene, &meeting COUNTED_ARGUMENT)) continue;
+        if (!go_on(world.scene, &meeting, &waiting COUNTED_ARGUMENT)) continue;
         lanes_u face;
         lanes_mask ends;
         const uint stop = uint_hold(min(turn + ENGINE_BATCH, LANE(path.last_turn, 0)));

@@ -41,11 +41,6 @@ static inline void begin_search(Scene scene, const Ray* ray, const Sides* inside
     search_begin(search, ray->origin, ray->direction, hit_distance(hit), ray->left, TREE_NOTHING COUNTED_ARGUMENT);
 }
 
-/* Rounding puts a point this share of its largest corner from a triangle, at most. */
-#define TRIANGLE_MARGIN 0x1p-21f
-
-static inline float largest_part(Vec a) { return fmax(fmax(fabs(a.x), fabs(a.y)), fabs(a.z)); }
-
 /* Takes what the search found into the hit. The point is made of the corners, and kept a hair from the plane on the ray's
    side: so no neighbour in the same plane is met from behind. */
 static inline void end_search(Scene scene, const Ray* ray, const Search* search, Hit* hit COUNTED_PARAMETER) {
@@ -60,7 +55,7 @@ static inline void end_search(Scene scene, const Ray* ray, const Search* search,
     const bool inner = vec_dot(ray->direction, hit->normal) > 0.0f;
     hit->distance_bits = as_uint(found.distance);
     hit->number = as_uint(normal_face.w) + (inner ? 1u : 0u);
-    hit->margin = TRIANGLE_MARGIN * fmax(fmax(largest_part(corner[0]), largest_part(corner[1])), largest_part(corner[2]));
+    hit->margin = triangle_margin(corner);
     const Vec b = vec_sub(corner[1], corner[0]), c = vec_sub(corner[2], corner[0]);
     const Vec point = vec_add_scaled(vec_add_scaled(corner[0], b, found.b), c, found.c);
     hit->point = vec_add_scaled(point, hit->normal, inner ? -hit->margin : hit->margin);
@@ -69,8 +64,9 @@ static inline void end_search(Scene scene, const Ray* ray, const Search* search,
 static inline Hit nearest_hit(Scene scene, const Ray* ray, const Sides* inside COUNTED_PARAMETER) {
     Hit hit;
     Search search;
+    SearchStack stack;
     begin_search(scene, ray, inside, &hit, &search COUNTED_ARGUMENT);
-    search_all(scene.tree, &search, false COUNTED_ARGUMENT);
+    search_all(scene.tree, &search, &stack, false COUNTED_ARGUMENT);
     end_search(scene, ray, &search, &hit COUNTED_ARGUMENT);
     return hit;
 }
@@ -80,8 +76,9 @@ static inline bool sees(Scene scene, const Ray* ray, const Sides* inside, float 
     const bool itself = end == ray->left && end != TREE_NOTHING;
     if (itself || !sees_past_spheres(scene, ray, inside, distance, target)) return false;
     Search search;
+    SearchStack stack;
     search_begin(&search, ray->origin, ray->direction, distance, ray->left, end COUNTED_ARGUMENT);
-    search_all(scene.tree, &search, true COUNTED_ARGUMENT);
+    search_all(scene.tree, &search, &stack, true COUNTED_ARGUMENT);
     return search.found.place == TREE_NOTHING;
 }
 
@@ -119,6 +116,8 @@ typedef struct Meeting {
     Search search;
 } Meeting;
 
+typedef SearchStack MeetingStack;
+
 static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* inside COUNTED_PARAMETER) {
     Meeting meeting;
     begin_search(scene, ray, inside, &meeting.sphere, &meeting.search COUNTED_ARGUMENT);
@@ -126,8 +125,8 @@ static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* in
 }
 
 /* Whether it is at its end. */
-static inline bool go_on(Scene scene, Meeting* meeting COUNTED_PARAMETER) {
-    return search_some(scene.tree, &meeting->search COUNTED_ARGUMENT);
+static inline bool go_on(Scene scene, Meeting* meeting, MeetingStack* stack COUNTED_PARAMETER) {
+    return search_some(scene.tree, &meeting->search, stack COUNTED_ARGUMENT);
 }
 
 static inline Hit end_meeting(Scene scene, const Ray* ray, const Sides* inside, const Meeting* meeting COUNTED_PARAMETER) {
@@ -143,6 +142,8 @@ typedef struct Meeting {
     char none;
 } Meeting;
 
+typedef Meeting MeetingStack;
+
 static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* inside COUNTED_PARAMETER) {
     (void)scene, (void)ray, (void)inside;
     COUNTED_UNUSED
@@ -150,8 +151,8 @@ static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* in
     return meeting;
 }
 
-static inline bool go_on(Scene scene, Meeting* meeting COUNTED_PARAMETER) {
-    (void)scene, (void)meeting;
+static inline bool go_on(Scene scene, Meeting* meeting, MeetingStack* stack COUNTED_PARAMETER) {
+    (void)scene, (void)meeting, (void)stack;
     COUNTED_UNUSED
     return true;
 }

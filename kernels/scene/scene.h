@@ -108,10 +108,11 @@ typedef struct Sides {
     lanes_u word[SCENE_SIDE_WORDS];
 } Sides;
 
-/* Its lowest bit is set inside. */
+/* Its lowest bit is set inside. A lone word has no number to be looked up by: else a compiler would keep all of the path in
+   memory for its sake. */
 static inline lanes_u side_of(Scene scene, const Sides* inside, uint number) {
     if (one_is_two_sided(scene)) return inside->word[0];
-    return inside->word[number / 32u] >> (31u - number % 32u);
+    return inside->word[SCENE_SIDE_WORDS == 1 ? 0u : number / 32u] >> (31u - number % 32u);
 }
 
 /* A float's sign bit inside, else 0; the lowest bit may be set too. */

@@ -14,6 +14,10 @@ typedef struct Found {
 
 typedef struct Search Search;
 
+/* What waits while a link is followed. By itself: a compiler keeps no part of a struct in registers that holds an array which
+   numbers lead into. */
+typedef struct SearchStack SearchStack;
+
 #if SCENE_TREE == 8
 #include "scene/tree8.h"
 #else
@@ -69,22 +73,22 @@ static inline bool search_pauses(bool over) {
 }
 
 /* Goes on; returns whether the search is over. What it finds does not depend on when it was left. */
-static inline bool search_some(Tree tree, Search* s COUNTED_PARAMETER) {
+static inline bool search_some(Tree tree, Search* s, SearchStack* stack COUNTED_PARAMETER) {
     do {
         while (search_is_at_node(s)) {
-            search_node(tree, s COUNTED_ARGUMENT);
+            search_node(tree, s, stack COUNTED_ARGUMENT);
             if (search_leaves_nodes()) break;
         }
-        if (!search_is_at_node(s) && !search_is_over(s)) search_leaf(tree, s, false COUNTED_ARGUMENT);
+        if (!search_is_at_node(s) && !search_is_over(s)) search_leaf(tree, s, stack, false COUNTED_ARGUMENT);
     } while (!search_pauses(search_is_over(s)));
     return search_is_over(s);
 }
 
 /* The whole of it; `any`: up to the first triangle. */
-static inline void search_all(Tree tree, Search* s, const bool any COUNTED_PARAMETER) {
+static inline void search_all(Tree tree, Search* s, SearchStack* stack, const bool any COUNTED_PARAMETER) {
     while (!search_is_over(s)) {
-        while (search_is_at_node(s)) search_node(tree, s COUNTED_ARGUMENT);
-        if (!search_is_over(s)) search_leaf(tree, s, any COUNTED_ARGUMENT);
+        while (search_is_at_node(s)) search_node(tree, s, stack COUNTED_ARGUMENT);
+        if (!search_is_over(s)) search_leaf(tree, s, stack, any COUNTED_ARGUMENT);
     }
 }
 

@@ -8,7 +8,10 @@ struct Search {
     Found found;
     uint left, target;
     uint at, height;
-    uint stack[TREE_STACK]; /* links; the host says how many there may be */
+};
+
+struct SearchStack {
+    uint link[TREE_STACK]; /* the host says how many there may be */
 };
 
 /* A row of the shear: the coordinate on one axis, less its share of that along the ray. All but one product are exact. */
@@ -30,7 +33,7 @@ static inline void search_aim(Search* s, Vec origin, Vec direction) {
     s->down = shear_row(down, along, vec_part(direction, down) * inverse);
 }
 
-static inline void search_pop(Search* s) { s->at = s->height > 0u ? s->stack[--s->height] : TREE_NOTHING; }
+static inline void search_pop(Search* s, const SearchStack* stack) { s->at = s->height > 0u ? stack->link[--s->height] : TREE_NOTHING; }
 
 /* Of one instruction; what is no number does not come here. */
 #if PTB_PTX
@@ -50,7 +53,7 @@ static inline bool enters_box(const Search* s, float4 low, float4 high, float* e
 }
 
 /* Goes to the nearer child that the ray enters, and keeps the other for later. */
-static inline void search_node(Tree tree, Search* s COUNTED_PARAMETER) {
+static inline void search_node(Tree tree, Search* s, SearchStack* stack COUNTED_PARAMETER) {
     COUNTED(1u, TREE_NODE_WORK)
     __global const float4* node = tree.nodes + 4u * s->at;
     const float4 low0 = node[0], high0 = node[1], low1 = node[2], high1 = node[3];
@@ -58,11 +61,11 @@ static inline void search_node(Tree tree, Search* s COUNTED_PARAMETER) {
     const bool first = enters_box(s, low0, high0, &entry0), second = enters_box(s, low1, high1, &entry1);
     const uint link0 = as_uint(low0.w), link1 = as_uint(low1.w);
     if (!(first | second)) {
-        search_pop(s);
+        search_pop(s, stack);
         return;
     }
     const bool second_first = second & (!first | (entry1 < entry0));
-    if (first & second) s->stack[s->height++] = second_first ? link0 : link1;
+    if (first & second) stack->link[s->height++] = second_first ? link0 : link1;
     s->at = second_first ? link1 : link0;
 }
 
@@ -102,7 +105,7 @@ static inline bool search_triangle(Tree tree, Search* s, uint place COUNTED_PARA
     return true;
 }
 
-static inline void search_leaf(Tree tree, Search* s, const bool any COUNTED_PARAMETER) {
+static inline void search_leaf(Tree tree, Search* s, const SearchStack* stack, const bool any COUNTED_PARAMETER) {
     const uint run = s->at & ~TREE_LEAF, first = run / TREE_LEAF_MOST, last = first + run % TREE_LEAF_MOST;
     for (uint place = first; place <= last; ++place) {
         if (search_triangle(tree, s, place COUNTED_ARGUMENT) && any) {
@@ -110,8 +113,10 @@ static inline void search_leaf(Tree tree, Search* s, const bool any COUNTED_PARA
             return;
         }
     }
-    search_pop(s);
+    search_pop(s, stack);
 }
+
+static inline uint triangle_number(Tree tree, uint place) { return as_uint(tree.leaves[3u * place].w); }
 
 /* Corners of the triangle at a place, and its number in the scene. */
 static inline uint triangle_at(Tree tree, uint place, Vec corner[3]) {

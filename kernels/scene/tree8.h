@@ -21,7 +21,7 @@ static inline void fetch_link(Tree tree, uint link) {
 }
 
 struct Search {
-    float origin[3];
+    float start[3];                   /* across, down, and along the ray */
     float inverse[3], minus_start[3]; /* 1 / direction, and the origin times -1 / direction */
     uint entry[3], exit[3];           /* of a node's floats, the planes where the ray enters boxes, and leaves them */
     uint axis[3];                     /* of the shear: across, down, and along the ray */
@@ -29,15 +29,17 @@ struct Search {
     Found found;
     uint left, target;
     uint at, height;
-    ulong stack[TREE_STACK + 1]; /* of links that wait, and the one to follow: where the ray enters, as bits, and the link: so they are in order, and one that is behind what
-                                was found is dropped unseen */
+};
+
+struct SearchStack {
+    ulong word[TREE_STACK + 1]; /* of links that wait, and the one to follow: where the ray enters, as bits, and the link: so they are
+                                   in order, and one that is behind what was found is dropped unseen */
 };
 
 static inline void search_aim(Search* s, Vec origin, Vec direction) {
     const float start[3] = {origin.x, origin.y, origin.z}, d[3] = {direction.x, direction.y, direction.z};
     const uint along = main_axis(direction), across = along == 2u ? 0u : along + 1u, down = along == 0u ? 2u : along - 1u;
     for (uint i = 0u; i < 3u; ++i) {
-        s->origin[i] = start[i];
         s->inverse[i] = 1.0f / steep(d[i]);
         s->minus_start[i] = -start[i] * s->inverse[i];
         s->entry[i] = 8u * (as_int(d[i]) < 0 ? i + 3u : i);
@@ -46,6 +48,7 @@ static inline void search_aim(Search* s, Vec origin, Vec direction) {
     s->axis[0] = across;
     s->axis[1] = down;
     s->axis[2] = along;
+    for (uint i = 0u; i < 3u; ++i) s->start[i] = start[s->axis[i]];
     s->along = 1.0f / d[along];
     s->across = d[across] * s->along;
     s->down = d[down] * s->along;
@@ -54,9 +57,9 @@ static inline void search_aim(Search* s, Vec origin, Vec direction) {
 /* Eight floats that lie as vectors do. (vload8 is two loads with PoCL.) */
 static inline float8 eight_at(__global const float* row) { return *(__global const float8*)row; }
 
-static inline void search_pop(Search* s) {
+static inline void search_pop(Search* s, const SearchStack* stack) {
     while (s->height > 0u) {
-        const ulong word = s->stack[--s->height];
+        const ulong word = stack->word[--s->height];
         if (as_float((uint)(word >> 32)) >= s->found.distance) continue;
         s->at = (uint)word;
         return;
@@ -85,14 +88,14 @@ static inline void sort_two(ulong* a, ulong* b) {
 }
 
 /* Keeps a child for later, behind nearer ones from `base` on. */
-static inline void search_push(Search* s, uint base, ulong word) {
+static inline void search_push(Search* s, SearchStack* stack, uint base, ulong word) {
     uint place = s->height++;
-    for (; place > base && s->stack[place - 1u] < word; --place) s->stack[place] = s->stack[place - 1u];
-    s->stack[place] = word;
+    for (; place > base && stack->word[place - 1u] < word; --place) stack->word[place] = stack->word[place - 1u];
+    stack->word[place] = word;
 }
 
 /* Goes to the nearest child that the ray enters, and keeps the others for later. */
-static inline void search_node(Tree tree, Search* s COUNTED_PARAMETER) {
+static inline void search_node(Tree tree, Search* s, SearchStack* stack COUNTED_PARAMETER) {
     COUNTED(1u, TREE_NODE_WORK)
     __global const float* node = node_at(tree, s->at);
     const float8 in_x = slab(s, node + s->entry[0], 0u), out_x = slab(s, node + s->exit[0], 0u);
@@ -102,7 +105,7 @@ static inline void search_node(Tree tree, Search* s COUNTED_PARAMETER) {
     const float8 out = tree_min(tree_min(out_x, out_y), tree_min(out_z, (float8)(s->found.distance)));
     uint entered = bits_of_mask(in <= out);
     if (entered == 0u) {
-        search_pop(s);
+        search_pop(s, stack);
         return;
     }
     __global const uint* links = (__global const uint*)(node + 48);
@@ -118,21 +121,21 @@ static inline void search_node(Tree tree, Search* s COUNTED_PARAMETER) {
     sort_two(&a, &b);
     if (entered == 0u) {
         s->at = (uint)a;
-        s->stack[s->height++] = b;
+        stack->word[s->height++] = b;
         return;
     }
     ulong c = take_child(tree, links, entry, &entered);
     sort_two(&b, &c);
     sort_two(&a, &b);
     const uint base = s->height;
-    s->stack[s->height++] = c;
-    s->stack[s->height++] = b;
+    stack->word[s->height++] = c;
+    stack->word[s->height++] = b;
     s->at = (uint)a;
     if (entered == 0u) return;
-    s->stack[s->height++] = a;
-    do search_push(s, base, take_child(tree, links, entry, &entered));
+    stack->word[s->height++] = a;
+    do search_push(s, stack, base, take_child(tree, links, entry, &entered));
     while (entered != 0u);
-    s->at = (uint)s->stack[--s->height];
+    s->at = (uint)stack->word[--s->height];
 }
 
 /* x less its share of z. */
@@ -145,24 +148,24 @@ static inline float8 sheared(float8 x, float8 z, float share) {
 #endif
 }
 
-/* One coordinate of a corner, from the ray's origin. */
-static inline float8 from_origin(const Search* s, __global const float* block, uint corner, uint axis) {
-    return eight_at(block + 24u * corner + 8u * axis) - s->origin[axis];
+/* One coordinate of a corner, from the ray's origin: across, down, or along the ray. */
+static inline float8 from_origin(const Search* s, __global const float* block, uint corner, uint way) {
+    return eight_at(block + 24u * corner + 8u * s->axis[way]) - s->start[way];
 }
 
 static inline Corner corner_seen(const Search* s, __global const float* block, uint number, float8 z) {
     Corner corner;
-    corner.x = sheared(from_origin(s, block, number, s->axis[0]), z, s->across);
-    corner.y = sheared(from_origin(s, block, number, s->axis[1]), z, s->down);
+    corner.x = sheared(from_origin(s, block, number, 0u), z, s->across);
+    corner.y = sheared(from_origin(s, block, number, 1u), z, s->down);
     return corner;
 }
 
-static inline void search_leaf(Tree tree, Search* s, const bool any COUNTED_PARAMETER) {
+static inline void search_leaf(Tree tree, Search* s, const SearchStack* stack, const bool any COUNTED_PARAMETER) {
     COUNTED(8u, TREE_TRIANGLE_WORK)
     const uint number = s->at & ~TREE_LEAF;
     __global const float* block = block_at(tree, number);
-    const float8 z0 = from_origin(s, block, 0u, s->axis[2]), z1 = from_origin(s, block, 1u, s->axis[2]);
-    const float8 z2 = from_origin(s, block, 2u, s->axis[2]);
+    const float8 z0 = from_origin(s, block, 0u, 2u), z1 = from_origin(s, block, 1u, 2u);
+    const float8 z2 = from_origin(s, block, 2u, 2u);
     const Corner a = corner_seen(s, block, 0u, z0), b = corner_seen(s, block, 1u, z1), c = corner_seen(s, block, 2u, z2);
     const Edges edges = edges_of(a, b, c);
     const int8 through = goes_through(&edges);
@@ -194,8 +197,10 @@ static inline void search_leaf(Tree tree, Search* s, const bool any COUNTED_PARA
             }
         }
     }
-    search_pop(s);
+    search_pop(s, stack);
 }
+
+static inline uint triangle_number(Tree tree, uint place) { return as_uint(block_at(tree, place / 8u)[72u + place % 8u]); }
 
 /* Corners of the triangle at a place, and its number in the scene. */
 static inline uint triangle_at(Tree tree, uint place, Vec corner[3]) {

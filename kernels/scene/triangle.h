@@ -46,6 +46,15 @@ static inline tree_mask goes_through(const Edges* e) {
     return ((least >= 0.0f) | (most <= 0.0f)) & ((e->sum > 0.0f) | (e->sum < 0.0f));
 }
 
+/* Rounding puts a point this share of its largest corner from a triangle, at most. */
+#define TRIANGLE_MARGIN 0x1p-21f
+
+static inline float largest_part(Vec a) { return fmax(fmax(fabs(a.x), fabs(a.y)), fabs(a.z)); }
+
+static inline float triangle_margin(const Vec corner[3]) {
+    return TRIANGLE_MARGIN * fmax(fmax(largest_part(corner[0]), largest_part(corner[1])), largest_part(corner[2]));
+}
+
 /* A number that no direction is nearer to 0 than: so its inverse is finite, and no product with it is no number. */
 #define TREE_LEAST_SLOPE 1e-18f
 

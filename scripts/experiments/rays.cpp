@@ -1,22 +1,13 @@
-// rays_experiment [KERNEL_DIR [KERNEL_DIR]]: rays through trees of triangles on PoCL against Embree's
-// rtcIntersect1, the same rays, by turns, in CPU time; prints a table (Markdown). With a second folder of
-// kernels, these against the first's.
-#include "tests/support/rays.h"
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
+// rays_experiment SCENE... [-- KERNEL_DIR [KERNEL_DIR]]: rays through trees of triangles on PoCL against
+// Embree's rtcIntersect1, the same rays, by turns, in CPU time, and all of `pt`; prints a table (Markdown).
+// With a second folder of kernels, these against the first's.
 #include <ctime>
 #include <functional>
-#include <numbers>
-#include <string>
-#include <vector>
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 
-#include "tests/support/tree_walk.h"
-#include "tests/support/triangles.h"
+#include "scripts/experiments/ray_lists.h"
 
 namespace {
 
@@ -35,12 +26,6 @@ double timed_s(const std::function<void()>& work) {
     const double begin = cpu_s();
     work();
     return cpu_s() - begin;
-}
-
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                     values.end());
-    return values[values.size() / 2];
 }
 
 /// Triangles in Embree's tree.
@@ -70,7 +55,7 @@ class EmbreeScene {
     }
 
     /// The distance, or infinity.
-    float met(const ProbeRay& ray) const {
+    float met(const ListedRay& ray) const {
         const auto &o = ray.origin_left, &d = ray.direction_reach;
         RTCRayHit hit{{o.x, o.y, o.z, least(ray), d.x, d.y, d.z, 0, INFINITY, ~0U, 0, 0}, {}};
         hit.hit.geomID = hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
@@ -82,49 +67,13 @@ class EmbreeScene {
 
   private:
     /// It leaves no triangle out.
-    static float least(const ProbeRay& ray) {
+    static float least(const ListedRay& ray) {
         return std::bit_cast<std::uint32_t>(ray.origin_left.w) == TREE_NOTHING ? 0 : 1e-7f;
     }
 
     RTCDevice device_;
     RTCScene scene_;
 };
-
-std::vector<ProbeRay> camera_rays() {
-    std::vector<ProbeRay> rays;
-    for (int y = 0; y < edge; ++y)
-        for (int x = 0; x < edge; ++x)
-            rays.push_back(make_ray({0.02, 0.5, -0.93},
-                                    {1.4 * (x + 0.5) / edge - 0.7, 0.2 - 1.4 * (y + 0.5) / edge, 1}));
-    return rays;
-}
-
-/// A hair above the triangle on the ray's side, where the ray met it.
-Vec3 point_above(const Triangle& triangle, const ProbeHit& hit, const Vec3& normal) {
-    const Vec3 a = to_vec3(triangle.corners[0]), b = to_vec3(triangle.corners[1]),
-               c = to_vec3(triangle.corners[2]);
-    return a + (b - a) * hit.b + (c - a) * hit.c + normal * 1e-6;
-}
-
-/// Diffuse rays from where these met something.
-std::vector<ProbeRay> bounced(const std::vector<ProbeRay>& rays, const std::vector<ProbeHit>& hits,
-                              const Triangles& triangles, Dice& dice) {
-    std::vector<ProbeRay> next;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (hits[i].triangle == TREE_NOTHING) continue;
-        const Triangle& triangle = triangles[hits[i].triangle];
-        const ptb_float4& d = rays[i].direction_reach;
-        Vec3 normal = normalized(normal_of(triangle));
-        if (dot(normal, {d.x, d.y, d.z}) > 0) normal = -normal;
-        const double z = 2 * dice.uniform() - 1, turn = 2 * std::numbers::pi * dice.uniform();
-        const double radius = std::sqrt(1 - z * z);
-        const Vec3 to = normal + Vec3{radius * std::cos(turn), radius * std::sin(turn), z};
-        const Vec3 from = point_above(triangle, hits[i], normal);
-        next.push_back(make_ray({from.x, from.y, from.z}, {to.x, to.y, to.z}));
-        next.back().origin_left.w = std::bit_cast<float>(hits[i].triangle);
-    }
-    return next;
-}
 
 struct Speed {
     double rays_per_s = 0;
@@ -140,8 +89,8 @@ Speed race(std::size_t rays, const std::function<void()>& ours, const std::funct
     return {static_cast<double>(rays) / median(times), median(ratios)};
 }
 
-int differing(const EmbreeScene& embree, const std::vector<ProbeRay>& rays,
-              const std::vector<ProbeHit>& hits) {
+int differing(const EmbreeScene& embree, const std::vector<ListedRay>& rays,
+              const std::vector<ListedHit>& hits) {
     int count = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const float there = embree.met(rays[i]);
@@ -152,56 +101,102 @@ int differing(const EmbreeScene& embree, const std::vector<ProbeRay>& rays,
     return count;
 }
 
-struct Subject {
-    std::string name;
-    Triangles triangles;
+/// All of `pt`, ten segments a path, against Embree's time for as many rays alike: of ten one of the camera,
+/// one of its first bounce, the others of the third.
+class PathRace {
+  public:
+    PathRace(const ocl::Device& device, const Subject& subject, const std::string& kernel_dir)
+        : render_(path_tracer(device, subject, job(), kernel_dir)) {
+        render_->advance(whole_);
+        segments_ = static_cast<double>(render_->read_film().segments);
+    }
+
+    double segments_per_s() {
+        return segments_ / timed_s([&] {
+                   render_->restart();
+                   while (render_->samples_left() > 0) render_->advance(whole_);
+               });
+    }
+
+  private:
+    static constexpr std::uint64_t whole_ = ~std::uint64_t{0};
+
+    static RenderJob job() {
+        RenderJob job;
+        job.size = {edge, edge};
+        job.path_length = 10;
+        return job;
+    }
+
+    std::unique_ptr<Render> render_;
+    double segments_ = 0;
 };
 
-std::vector<Subject> subjects() {
-    const Triangles walls = room(1);
-    return {{"ball", with(walls, flake(1, 180))},
-            {"flake", with(walls, flake(4, 8))},
-            {"menger", with(walls, menger(3))},
-            {"hair", with(walls, hair(4000, 40))},
-            {"slivers", with(walls, slivers(8000))}};
+struct Sides {
+    std::string first, second;  ///< folders of kernels
+};
+
+/// Prints a row a list; returns the ratios of bounces 1 and 3, and that of `pt`.
+std::vector<double> run(const ocl::Device& device, const std::string& file, const Sides& sides) {
+    const Subject subject(file);
+    const Tree tree = build_tree(subject.triangles, TreeLayout::wide8, {}, 2);
+    RayList list(device, tree, "", sides.first), other(device, tree, "", sides.second);
+    const EmbreeScene embree(subject.triangles);
+    PathRace paths(device, subject, sides.first);
+    Dice dice(1);
+    std::vector<ListedRay> rays = camera_rays(subject, edge);
+    std::vector<double> ratios;
+    double theirs_s = 0;  // for a ray of the mix
+    for (int i = 0; i <= 3; ++i) {
+        const std::vector<ListedHit> hits = list.met(rays);
+        if (i != 2) {
+            other.met(rays);
+            float sum = 0;
+            const auto theirs = [&] {
+                if (!sides.second.empty()) return (void)other.meet();
+                for (const ListedRay& ray : rays) sum += embree.met(ray);
+            };
+            const Speed speed = race(
+                rays.size(), [&] { list.meet(); }, theirs);
+            fmt::print("| {} | {} | {} | {} | {:.2f} | {:.2f} | {} |\n", subject.scene.name,
+                       subject.triangles.size(), i, rays.size(), speed.rays_per_s * 1e-6, speed.ratio,
+                       differing(embree, rays, hits));
+            if (i > 0) ratios.push_back(speed.ratio);
+            theirs_s += (i == 3 ? 0.8 : 0.1) * speed.ratio / speed.rays_per_s;
+            if (std::isnan(sum)) throw std::runtime_error("no number");
+        }
+        rays = bounced(rays, hits, subject, dice);
+    }
+    std::vector<double> speeds;
+    for (int i = 0; i < rounds; ++i) speeds.push_back(paths.segments_per_s());
+    ratios.push_back(median(speeds) * theirs_s);
+    fmt::print("| {} | {} | `pt` | | {:.2f} | {:.2f} | |\n", subject.scene.name, subject.triangles.size(),
+               median(speeds) * 1e-6, ratios.back());
+    std::fflush(stdout);
+    return ratios;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::string first = argc > 1 ? argv[1] : "", second = argc > 2 ? argv[2] : "";
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const auto dashes = std::find(words.begin(), words.end(), "--");
+    const auto folder = [&](std::ptrdiff_t i) {
+        return words.end() - dashes > i ? dashes[i] : std::string();
+    };
+    const Sides sides{folder(1), folder(2)};
     const ocl::Device device = ocl::open_device(ocl::query_devices().at(0).key);
     fmt::print(
         "| scene | triangles | bounce | rays | Mrays/s | {} | differing |\n| --- | ---: | ---: | ---: | ---: "
         "| ---: | ---: |\n",
-        second.empty() ? "of rtcIntersect1's speed" : "of the second's speed");
-    double logs = 0;
-    int terms = 0;
-    for (const Subject& subject : subjects()) {
-        const Tree tree = build_tree(subject.triangles, TreeLayout::wide8, {}, 2);
-        RayList list(device, tree, "", first), other(device, tree, "", second);
-        const EmbreeScene embree(subject.triangles);
-        Dice dice(1);
-        std::vector<ProbeRay> rays = camera_rays();
-        for (int i = 0; i <= 3; ++i) {
-            const std::vector<ProbeHit> hits = list.met(rays);
-            if (i != 2) {
-                float sum = 0;
-                other.met(rays);
-                const auto theirs = [&] {
-                    if (!second.empty()) return other.meet();
-                    for (const ProbeRay& ray : rays) sum += embree.met(ray);
-                };
-                const Speed speed = race(
-                    rays.size(), [&] { list.meet(); }, theirs);
-                fmt::print("| {} | {} | {} | {} | {:.2f} | {:.2f} | {} |\n", subject.name,
-                           subject.triangles.size(), i, rays.size(), speed.rays_per_s * 1e-6, speed.ratio,
-                           differing(embree, rays, hits));
-                if (i > 0) logs += std::log(speed.ratio), ++terms;
-                if (std::isnan(sum)) return 1;
-            }
-            rays = bounced(rays, hits, subject.triangles, dice);
-        }
+        sides.second.empty() ? "of rtcIntersect1's speed" : "of the second's speed");
+    double logs = 0, path_logs = 0;
+    for (auto file = words.begin(); file != dashes; ++file) {
+        const std::vector<double> ratios = run(device, *file, sides);
+        logs += std::log(ratios[0]) + std::log(ratios[1]);
+        path_logs += std::log(ratios[2]);
     }
-    fmt::print("\nGeometric mean of bounces 1 and 3: {:.3f}\n", std::exp(logs / terms));
+    const auto scenes = static_cast<double>(dashes - words.begin());
+    fmt::print("\nGeometric means: bounces 1 and 3 {:.3f}, pt {:.3f}\n", std::exp(logs / (2 * scenes)),
+               std::exp(path_logs / scenes));
 }

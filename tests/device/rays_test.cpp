@@ -34,19 +34,19 @@ std::array<double, 3> point_of(const Triangle& triangle, double b, double c) {
     return point;
 }
 
-ProbeRay aimed(const std::array<double, 3>& from, const std::array<double, 3>& at) {
+ListedRay aimed(const std::array<double, 3>& from, const std::array<double, 3>& at) {
     return make_ray(from, {at[0] - from[0], at[1] - from[1], at[2] - from[2]});
 }
 
-Ray on_host(const ProbeRay& ray) {
+Ray on_host(const ListedRay& ray) {
     const auto &o = ray.origin_left, &d = ray.direction_reach;
     return {{o.x, o.y, o.z}, {d.x, d.y, d.z}, std::bit_cast<std::uint32_t>(o.w)};
 }
 
 /// From anywhere within, in every direction.
-std::vector<ProbeRay> random_rays(int count, double half_edge) {
+std::vector<ListedRay> random_rays(int count, double half_edge) {
     Dice dice(7);
-    std::vector<ProbeRay> rays;
+    std::vector<ListedRay> rays;
     const auto number = [&] { return 2 * dice.uniform() - 1; };
     while (static_cast<int>(rays.size()) < count) {
         const std::array<double, 3> from{half_edge * number(), half_edge * number(), half_edge * number()};
@@ -59,7 +59,7 @@ TEST(Rays, none_aimed_at_an_edge_or_a_corner_of_a_closed_mesh_is_lost) {
     constexpr int count = 100'000;
     const Triangles ball = flake(1, 24);
     Dice dice(3);
-    std::vector<ProbeRay> rays;
+    std::vector<ListedRay> rays;
     for (int i = 0; i < 2 * count; ++i) {
         const Triangle& triangle =
             ball[static_cast<std::size_t>(dice.uniform() * static_cast<double>(ball.size()))];
@@ -69,14 +69,14 @@ TEST(Rays, none_aimed_at_an_edge_or_a_corner_of_a_closed_mesh_is_lost) {
     }
     on_every_tree(ball, "", [&](RayList& list) {
         int lost = 0;
-        for (const ProbeHit& hit : list.met(rays)) lost += hit.triangle == TREE_NOTHING;
+        for (const ListedHit& hit : list.met(rays)) lost += hit.triangle == TREE_NOTHING;
         EXPECT_EQ(lost, 0) << "of " << rays.size();
     });
 }
 
 /// The nearest triangle, or one that is as near but for rounding.
-void expect_nearest(RayList& list, const std::vector<ProbeRay>& rays, const std::vector<Met>& truths) {
-    const std::vector<ProbeHit> hits = list.met(rays), sights = list.met(rays, true);
+void expect_nearest(RayList& list, const std::vector<ListedRay>& rays, const std::vector<Met>& truths) {
+    const std::vector<ListedHit> hits = list.met(rays), sights = list.met(rays, true);
     int wrong = 0, unseen = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const Met& truth = truths[i];
@@ -90,33 +90,33 @@ void expect_nearest(RayList& list, const std::vector<ProbeRay>& rays, const std:
 }
 
 TEST(Rays, meet_the_nearest_triangle) {
-    const std::vector<ProbeRay> rays = random_rays(1000, 0.9);
+    const std::vector<ListedRay> rays = random_rays(1000, 0.9);
     for (const Triangles& triangles :
          {with(room(1), with(soup(1000, 0.05f), slivers(200))), with(room(1), flake(1, 10)), soup(1, 1)}) {
         std::vector<Met> truths;
-        for (const ProbeRay& ray : rays) truths.push_back(look_everywhere(triangles, on_host(ray)));
+        for (const ListedRay& ray : rays) truths.push_back(look_everywhere(triangles, on_host(ray)));
         on_every_tree(triangles, "", [&](RayList& list) { expect_nearest(list, rays, truths); });
     }
 }
 
 TEST(Rays, do_not_meet_the_triangle_that_they_start_at_nor_what_is_out_of_reach) {
     const Triangles walls = room(1);
-    std::vector<ProbeRay> rays = random_rays(1000, 0.9);
+    std::vector<ListedRay> rays = random_rays(1000, 0.9);
     on_every_tree(walls, "", [&](RayList& list) {
-        const std::vector<ProbeHit> hits = list.met(rays);
-        std::vector<ProbeRay> left = rays, near = rays;
+        const std::vector<ListedHit> hits = list.met(rays);
+        std::vector<ListedRay> left = rays, near = rays;
         for (std::size_t i = 0; i < rays.size(); ++i) {
             left[i].origin_left.w = std::bit_cast<float>(hits[i].triangle);
             near[i].direction_reach.w = hits[i].distance * 0.999f;
         }
-        for (const ProbeHit& hit : list.met(left)) EXPECT_EQ(hit.triangle, TREE_NOTHING);
-        for (const ProbeHit& hit : list.met(near, true)) EXPECT_EQ(hit.triangle, TREE_NOTHING);
+        for (const ListedHit& hit : list.met(left)) EXPECT_EQ(hit.triangle, TREE_NOTHING);
+        for (const ListedHit& hit : list.met(near, true)) EXPECT_EQ(hit.triangle, TREE_NOTHING);
     });
 }
 
 TEST(Rays, along_an_axis_take_no_more_steps_than_others) {
     const Triangles triangles = with(room(1), flake(2, 8));
-    std::vector<ProbeRay> straight, tilted;
+    std::vector<ListedRay> straight, tilted;
     Dice dice(5);
     for (int i = 0; i < 2000; ++i) {
         const std::array<double, 3> from{dice.uniform() - 0.5, dice.uniform() - 0.5, 0.9};
@@ -136,7 +136,7 @@ TEST(Rays, along_an_axis_take_no_more_steps_than_others) {
 
 TEST(Rays, that_run_along_edges_and_in_planes_of_triangles_end) {
     const Triangles walls = room(1);
-    std::vector<ProbeRay> rays;
+    std::vector<ListedRay> rays;
     for (const Triangle& triangle : walls) {
         const auto a = point_of(triangle, 0, 0), b = point_of(triangle, 1, 0),
                    c = point_of(triangle, 0.25, 0.5);
@@ -144,7 +144,7 @@ TEST(Rays, that_run_along_edges_and_in_planes_of_triangles_end) {
     }
     rays.push_back(make_ray({1, 1, 1}, {1, 0, 0}));
     on_every_tree(walls, "", [&](RayList& list) {
-        for (const ProbeHit& hit : list.met(rays)) EXPECT_FALSE(std::isnan(hit.distance));
+        for (const ListedHit& hit : list.met(rays)) EXPECT_FALSE(std::isnan(hit.distance));
     });
 }
 

@@ -41,6 +41,7 @@ TEST(Counts, samples_left_falls_to_zero_by_what_was_asked) {
     const Scene scene = shipped_scene("thesis");
     on_every_device([&](const ocl::Device& device) {
         for (const Integrator& row : integrators()) {
+            if (!row.spheres) continue;
             RenderJob job;
             job.size = {37, 21};
             job.spp = 33;

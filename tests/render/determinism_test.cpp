@@ -53,6 +53,7 @@ template <class Body>
 void on_everything(Body&& body) {
     on_every_device([&](const ocl::Device& device) {
         for (const Integrator& row : integrators()) {
+            if (!row.spheres) continue;
             for (const int lanes : lanes_to_try(row, device.info)) {
                 SCOPED_TRACE(fmt::format("{}, lanes {}", row.id, lanes));
                 body(device, row, lanes);

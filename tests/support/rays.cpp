@@ -26,43 +26,42 @@ std::string options_of(const ocl::Device& device, const Tree& tree) {
 RayList::RayList(const ocl::Device& device, const Tree& tree, const std::string& more_options,
                  const std::string& kernel_dir)
     : device_(device),
-      program_(ocl::build(device, kernel_source("probe/rays.cl", kernel_dir),
+      program_(ocl::build(device, kernel_source("rays/rays.cl", kernel_dir),
                           options_of(device, tree) + more_options)),
       counted_(device, program_) {
-    const auto add = [&](const auto& rows) {
-        tree_.push_back(large_buffer(device, std::as_bytes(std::span(rows))));
-    };
-    tree.nodes2.empty() ? add(tree.nodes8) : add(tree.nodes2);
-    tree.nodes2.empty() ? add(tree.blocks) : add(tree.triangles);
+    tree_ = tree_buffers(device, tree);
 }
 
-std::vector<ProbeHit> RayList::met(std::span<const ProbeRay> rays, bool any) {
+std::vector<ListedHit> RayList::met(std::span<const ListedRay> rays, bool any) {
     ask(rays);
     meet(any);
     return answers();
 }
 
-void RayList::ask(std::span<const ProbeRay> rays) {
+void RayList::ask(std::span<const ListedRay> rays) {
     count_ = static_cast<cl_uint>(rays.size());
     asked_ = buffer_of(device_, rays);
-    answers_ = cl::Buffer(device_.context, CL_MEM_WRITE_ONLY, count_ * sizeof(ProbeHit));
+    answers_ = cl::Buffer(device_.context, CL_MEM_WRITE_ONLY, count_ * sizeof(ListedHit));
 }
 
-void RayList::meet(bool any) {
+LaunchTimes RayList::meet(bool any) {
     const cl_uint run = device_.info.type == "CPU" ? 256 : 1;
-    cl::Kernel kernel(program_.program, any ? "probe_sights" : "probe_rays");
+    cl::Kernel kernel(program_.program, any ? "rays_see" : "rays_meet");
     counted_.give(kernel);
     cl_uint i = 0;
     const auto give = [&](const auto& argument) { kernel.setArg(i++, argument); };
-    give(tree_[0]), give(tree_[1]), give(asked_), give(answers_), give(count_), give(run);
+    give(tree_[0]), give(tree_[1]), give(asked_), give(answers_), give(cl_uint{0}), give(count_), give(run);
     const cl::NDRange group = run > 1 ? cl::NDRange(1) : cl::NullRange;  // PoCL compiles once a size
-    device_.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((count_ + run - 1) / run), group);
+    cl::Event event;
+    device_.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((count_ + run - 1) / run), group,
+                                       nullptr, &event);
     device_.queue.finish();
+    return times_of({event}, device_).front();
 }
 
-std::vector<ProbeHit> RayList::answers() const {
-    std::vector<ProbeHit> hits(count_);
-    device_.queue.enqueueReadBuffer(answers_, CL_TRUE, 0, hits.size() * sizeof(ProbeHit), hits.data());
+std::vector<ListedHit> RayList::answers() const {
+    std::vector<ListedHit> hits(count_);
+    device_.queue.enqueueReadBuffer(answers_, CL_TRUE, 0, hits.size() * sizeof(ListedHit), hits.data());
     return hits;
 }
 
@@ -72,7 +71,7 @@ std::optional<Counts> RayList::counts() {
     return counts;
 }
 
-ProbeRay make_ray(const std::array<double, 3>& origin, const std::array<double, 3>& direction) {
+ListedRay make_ray(const std::array<double, 3>& origin, const std::array<double, 3>& direction) {
     const auto& [x, y, z] = direction;
     const double length = std::sqrt(x * x + y * y + z * z);
     const auto f = [](double value) { return static_cast<float>(value); };

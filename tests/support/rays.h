@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "core/integrator/large_buffer.h"
+#include "core/integrator/device_meshes.h"
 #include "core/ocl/program.h"
-#include "core/render/counted_rows.h"
+#include "core/render/render.h"
 #include "core/tree/tree.h"
 #include "shared/rays.h"
 
 namespace ptb {
 
-/// A tree on a device, to be met by lists of rays: kernels/probe/rays.cl. Throws what goes wrong.
+/// A tree on a device, to be met by lists of rays: kernels/rays/rays.cl. Throws what goes wrong.
 class RayList {
   public:
     /// @param more_options  of the build
@@ -21,11 +21,11 @@ class RayList {
             const std::string& kernel_dir = "");
 
     /// What each ray meets; `any`: up to the first triangle within its reach.
-    std::vector<ProbeHit> met(std::span<const ProbeRay> rays, bool any = false);
+    std::vector<ListedHit> met(std::span<const ListedRay> rays, bool any = false);
     /// The same in three steps, of which `meet` may be repeated.
-    void ask(std::span<const ProbeRay> rays);
-    void meet(bool any = false);
-    std::vector<ProbeHit> answers() const;
+    void ask(std::span<const ListedRay> rays);
+    LaunchTimes meet(bool any = false);
+    std::vector<ListedHit> answers() const;
     /// In an instrumented build: what the rays since the last call took.
     std::optional<Counts> counts();
 
@@ -39,6 +39,6 @@ class RayList {
 };
 
 /// A ray of length 1 that starts at no triangle.
-ProbeRay make_ray(const std::array<double, 3>& origin, const std::array<double, 3>& direction);
+ListedRay make_ray(const std::array<double, 3>& origin, const std::array<double, 3>& direction);
 
 }  // namespace ptb

@@ -116,7 +116,7 @@ TEST_F(RecordJson, case_is_written_in_the_words_of_the_axes) {
         Json(failed_record().params).dump(),
         R"({"device":"nvidia:0","kernel":"thesis","scene":"a.json","size":"1x1","spp":1,"path_length":1,)"
         R"("scene_memory":"auto","film_memory":"buffer","queue":"in_order","dispatch":"ndrange",)"
-        R"("pixel_filter":"jitter","rng":"auto","roulette":"off","build":"default","bvh":"auto","bvh_split":"spatial",)"
+        R"("pixel_filter":"jitter","rng":"auto","roulette":"off","build":"default","bvh":"auto","bvh_split":"spatial","ray_kind":"primary",)"
         R"("lanes":"auto","work_group":"implicit"})");
 }
 

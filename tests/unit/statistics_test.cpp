@@ -38,5 +38,11 @@ TEST(Statistics, kernels_without_shadow_rays_have_no_rate_of_rays) {
     EXPECT_EQ(in_half_a_second(work(8'000'000, 0)).mrays_per_s, std::nullopt);
 }
 
+TEST(Statistics, rays_of_a_list_have_one) {
+    Work list = work(2'000'000, 0);
+    list.listed_rays = 2'000'000;
+    EXPECT_DOUBLE_EQ(in_half_a_second(list).mrays_per_s.value(), 4);
+}
+
 }  // namespace
 }  // namespace ptb
