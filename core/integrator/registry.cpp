@@ -56,6 +56,14 @@ std::string tree_reason(const Scene& scene, const Variant& variant) {
     return "";
 }
 
+std::string cost_reason(const Integrator& integrator, const Scene& scene, const RenderJob& job) {
+    if (!job.cost) return "";
+    if (scene.meshes.empty())
+        return fmt::format("aov cost: scene {} has no meshes, whose tree it shows", scene.name);
+    if (integrator.independent_pixels) return "";
+    return fmt::format("aov cost: samples of {} belong to no pixel alone", integrator.id);
+}
+
 }  // namespace
 
 const std::vector<Integrator>& integrators() {
@@ -121,6 +129,11 @@ int default_lanes(const Integrator& integrator, const DeviceInfo& device) {
     return has ? device.default_lanes : widths.front();
 }
 
+std::shared_ptr<const Tree> tree_of(const Integrator& integrator, const ocl::Device& device,
+                                    const Scene& scene, const RenderJob& job) {
+    return integrator.meshes ? tree_for(device, scene, job) : nullptr;
+}
+
 std::string unsupported_reason(const Integrator& integrator, const ocl::Device& device, const Scene& scene,
                                const RenderJob& job) {
     if (std::find(integrator.lanes.begin(), integrator.lanes.end(), job.lanes) == integrator.lanes.end())
@@ -132,9 +145,9 @@ std::string unsupported_reason(const Integrator& integrator, const ocl::Device& 
         return fmt::format("path_length {} with {} spheres: this device drops what loops do after {} turns",
                            job.path_length, scene.spheres.size(), ocl::loop_limit(device.info));
     for (const std::string& reason :
-         {tree_reason(scene, job.variant), work_group_reason(integrator, device.info, job),
-          launch_refusal(device, job), integrator.refusal(device, scene, job),
-          memory_reason(integrator, device, scene, job)})
+         {tree_reason(scene, job.variant), cost_reason(integrator, scene, job),
+          work_group_reason(integrator, device.info, job), launch_refusal(device, job),
+          integrator.refusal(device, scene, job), memory_reason(integrator, device, scene, job)})
         if (!reason.empty()) return reason;
     return "";
 }

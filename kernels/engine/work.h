@@ -44,7 +44,7 @@
 #define LIGHT_MET_WORK 9u, 0u, 0u, SCENE_SURFACE_BYTES(12u)
 #define LIGHT_SHARE_WORK 3u, 0u, 1u, 0u
 #define LIGHT_TRIANGLE_WORK 7u, 0u, 0u, 0u
-#define LIGHT_COSINE_WORK 11u, 0u, 0u, 0u
+#define LIGHT_COSINE_WORK 8u, 0u, 0u, 0u
 #define LIGHT_WEIGHT_WORK 7u, 0u, 1u, 0u
 #define LIGHT_SENT_WORK 6u, 0u, 0u, 0u
 /* Roulette: the chance, and the throughput and comparison. */

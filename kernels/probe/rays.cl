@@ -19,6 +19,7 @@
 
 static inline ProbeHit met_by(Tree tree, ProbeRay ray, const bool any COUNTED_PARAMETER) {
     Search search;
+    COUNTED_SEARCH
     search_begin(&search, vec_of(ray.origin_left), vec_of(ray.direction_reach), ray.direction_reach.w,
                  as_uint(ray.origin_left.w), TREE_NOTHING COUNTED_ARGUMENT);
     search_all(tree, &search, any COUNTED_ARGUMENT);
