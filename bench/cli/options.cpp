@@ -279,6 +279,11 @@ struct Grammar {
                          "seconds to render for, in place of --spp: ends when every pixel has as many "
                          "samples, and says how many")
             ->check(seconds(false));
+        render
+            ->add_option("--aov", flags.aov,
+                         "what pixels show: radiance, or cost: what a sample takes of a tree of triangles, "
+                         "nodes as a heat map; in .exr and .pfm nodes, triangles and rays [radiance]")
+            ->check(CLI::IsMember({"radiance", "cost"}));
         render->add_option("-a,--axis", flags.axes, "an axis' value: pixel_filter=centre; repeatable")
             ->allow_extra_args(false)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

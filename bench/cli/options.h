@@ -46,7 +46,7 @@ struct ListFlags {
 };
 
 struct RenderFlags {
-    std::string device, output;
+    std::string device, output, aov;
     std::vector<std::string> axes;
     std::map<std::string, std::string> axis_values;
     std::uint64_t seed = 1;

@@ -12,6 +12,8 @@
 #include "bench/cli/interrupt.h"
 #include "bench/cli/outputs.h"
 #include "bench/cli/tell.h"
+#include "bench/report/heat_map.h"
+#include "bench/report/words.h"
 #include "bench/worker/device_worker.h"
 #include "core/image/image_io.h"
 #include "core/input/printable.h"
@@ -109,6 +111,7 @@ Reply rendered(DeviceWorker& worker, const Case& c, const RenderFlags& flags, bo
     request.kind = Request::Kind::render;
     request.params = c;
     request.time_s = flags.time_s;
+    request.cost = flags.aov == "cost";
     const ShareDone share(quiet);
     Reply reply = worker.request(request, [&](const Response& progress) { share.show(progress); });
     if (reply.end != Reply::End::answered) throw std::runtime_error(reply.reason);
@@ -118,9 +121,18 @@ Reply rendered(DeviceWorker& worker, const Case& c, const RenderFlags& flags, bo
     return reply;
 }
 
+/// Writes the picture, costs as a heat map where a file holds colours; returns what is to be said of it.
+std::vector<std::string> write_picture(const RenderFlags& flags, const Image& picture) {
+    if (flags.aov != "cost") return write_image(flags.output, picture), std::vector<std::string>();
+    const HeatMap map = heat_map(picture);
+    write_image(flags.output, keeps_floats(flags.output) ? picture : map.image);
+    return {fmt::format("nodes of a sample: {} to {}, mean {}; white: {:.0f}", number_text(map.least),
+                        number_text(map.most), number_text(map.mean), map.white)};
+}
+
 /// "written: x.png (123 SPP in 10.02 s)"
-std::string outcome_text(const RenderFlags& flags, const Response& rendered) {
-    std::vector<std::string> remarks;
+std::string outcome_text(const RenderFlags& flags, const Response& rendered,
+                         std::vector<std::string> remarks) {
     if (flags.time_s)
         remarks.push_back(fmt::format("{:.7g} SPP in {:.4g} s", rendered.spp, rendered.seconds));
     if (!rendered.whole) remarks.emplace_back("interrupted: as far as it got");
@@ -147,8 +159,8 @@ int render_command(const Options& options) {
     const Reply reply = rendered(worker, c, flags, options.common.quiet);
     if (options.common.verbose && !reply.printed.empty())
         tell(options.common, "printed by the driver:\n" + reply.printed);
-    write_image(flags.output, *reply.picture);
-    tell(options.common, outcome_text(flags, reply.response));
+    const std::vector<std::string> remarks = write_picture(flags, *reply.picture);
+    tell(options.common, outcome_text(flags, reply.response, remarks));
     return reply.response.whole ? exit_codes::done : exit_codes::interrupted;
 }
 

@@ -45,6 +45,11 @@ Counted counted_of(const Counts& counts, std::uint64_t segments) {
     counted.roots_per_segment = each(counts.roots);
     counted.divisions_per_segment = each(counts.divisions);
     counted.bytes_per_segment = each(counts.bytes);
+    if (counts.searches > 0) {
+        const auto rays = static_cast<double>(counts.searches);
+        counted.nodes_per_ray = static_cast<double>(counts.nodes) / rays;
+        counted.triangles_per_ray = static_cast<double>(counts.triangles) / rays;
+    }
     if (counts.lanes > 0)
         counted.lanes_alive = n / static_cast<double>(counts.lanes);
     else

@@ -95,7 +95,16 @@ inline constexpr auto fields<Counted> = std::make_tuple(
     field("roots_per_segment", &Counted::roots_per_segment),
     field("divisions_per_segment", &Counted::divisions_per_segment),
     field("bytes_per_segment", &Counted::bytes_per_segment), field("lanes_alive", &Counted::lanes_alive),
-    field("reason", &Counted::reason), field("of_peak", &Counted::of_peak));
+    field("reason", &Counted::reason), field("of_peak", &Counted::of_peak),
+    field("nodes_per_ray", &Counted::nodes_per_ray), field("triangles_per_ray", &Counted::triangles_per_ray));
+
+template <>
+inline constexpr auto fields<TreeRecord> =
+    std::make_tuple(required("layout", &TreeRecord::layout), required("triangles", &TreeRecord::triangles),
+                    field("references", &TreeRecord::references), field("nodes", &TreeRecord::nodes),
+                    field("leaves", &TreeRecord::leaves), field("bytes", &TreeRecord::bytes),
+                    field("depth", &TreeRecord::depth), field("sah_cost", &TreeRecord::sah_cost),
+                    field("build_ms", &TreeRecord::build_ms));
 
 template <>
 inline constexpr auto fields<Noise> = std::make_tuple(required("rel_mse", &Noise::rel_mse),
@@ -121,7 +130,8 @@ inline constexpr auto fields<Record> = std::make_tuple(
     field("reason", &Record::reason), field("work", &Record::work), field("build", &Record::build),
     field("samples", &Record::samples), field("statistics", &Record::statistics),
     field("validation", &Record::validation), field("energy", &Record::energy),
-    field("efficiency", &Record::efficiency), field("counted", &Record::counted), field("gpu", &Record::gpu));
+    field("efficiency", &Record::efficiency), field("counted", &Record::counted), field("gpu", &Record::gpu),
+    field("tree", &Record::tree));
 
 template <>
 inline constexpr auto fields<DeviceInfo> = std::make_tuple(

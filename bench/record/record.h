@@ -119,7 +119,21 @@ struct Counted {
     std::optional<double> lanes_alive;  ///< mean share of a work-item's lanes, or a warp's, with a path
     std::string reason;                 ///< why a number is absent, or empty
     PeakShares of_peak;
+    std::optional<double> nodes_per_ray{}, triangles_per_ray{};  ///< met in a tree, shadow rays included
     bool operator==(const Counted&) const = default;
+};
+
+/// The tree that a scene's triangles lie in (core/tree).
+struct TreeRecord {
+    std::string layout;  ///< "bvh2" or "wide8"
+    std::uint64_t triangles = 0;
+    std::uint64_t references = 0;  ///< of leaves to triangles; splits of space make more of them
+    std::uint64_t nodes = 0, leaves = 0;
+    std::uint64_t bytes = 0;  ///< of device memory
+    int depth = 0;            ///< inner nodes on the longest way to a leaf
+    double sah_cost = 0;      ///< nodes and tests that a random ray is expected to take
+    double build_ms = 0;      ///< host clock, on all cores, when this process built it
+    bool operator==(const TreeRecord&) const = default;
 };
 
 /// Noise of an image relative to its reference, and what it is worth for the time it took.
@@ -162,6 +176,7 @@ struct Record {
     std::optional<Efficiency> efficiency;
     std::optional<Counted> counted;  ///< with --peaks
     std::optional<GpuState> gpu{};
+    std::optional<TreeRecord> tree{};  ///< where the scene has meshes
     bool operator==(const Record&) const = default;
 };
 

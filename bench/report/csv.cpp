@@ -66,6 +66,12 @@ Cell of_work(const std::function<std::string(const Work&)>& show) {
 Cell of_build(const std::function<std::string(const Build&)>& show) {
     return [show](const Row& r) { return r.record.build ? show(*r.record.build) : ""; };
 }
+Cell of_tree(const std::function<std::string(const TreeRecord&)>& show) {
+    return [show](const Row& r) { return r.record.tree ? show(*r.record.tree) : ""; };
+}
+Cell of_tree(std::uint64_t TreeRecord::*member) {
+    return of_tree([member](const TreeRecord& t) { return std::to_string(t.*member); });
+}
 Cell of_energy(std::optional<double> Energy::*member) {
     return [member](const Row& r) {
         const auto& energy = r.record.energy;
@@ -195,6 +201,17 @@ const Columns& other_columns() {
         {"of_peak_division", of_peak(&PeakShares::division)},
         {"of_peak_global", of_peak(&PeakShares::global)},
         {"limit", [](const Row& r) { return r.record.counted ? text(r.record.counted->of_peak.limit) : ""; }},
+        {"nodes_per_ray", of_counted(&Counted::nodes_per_ray)},
+        {"triangles_per_ray", of_counted(&Counted::triangles_per_ray)},
+        {"tree_layout", of_tree([](const TreeRecord& t) { return text(t.layout); })},
+        {"tree_triangles", of_tree(&TreeRecord::triangles)},
+        {"tree_references", of_tree(&TreeRecord::references)},
+        {"tree_nodes", of_tree(&TreeRecord::nodes)},
+        {"tree_leaves", of_tree(&TreeRecord::leaves)},
+        {"tree_bytes", of_tree(&TreeRecord::bytes)},
+        {"tree_depth", of_tree([](const TreeRecord& t) { return std::to_string(t.depth); })},
+        {"tree_sah_cost", of_tree([](const TreeRecord& t) { return significant(t.sah_cost); })},
+        {"tree_build_ms", of_tree([](const TreeRecord& t) { return real(t.build_ms, 6); })},
         {"device_key", [](const Row& r) { return text(r.record.params.device); }},
         {"platform", [](const Row& r) { return text(r.device.platform); }},
         {"driver_version", [](const Row& r) { return text(r.device.driver_version); }},

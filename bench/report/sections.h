@@ -35,6 +35,8 @@ Section noise_section(const ResultFile& result);
 Section peaks_section(const std::vector<DevicePeaks>& peaks);
 /// Counted work and shares of the peaks: the fastest case of each device, kernel and scene.
 Section limits_section(const std::vector<Record>& records);
+/// The tree of each device, kernel, scene and way of building it, and what its rays met.
+Section trees_section(const std::vector<Record>& records);
 /// What the reader should know of the run: interruption, warnings, ICDs and devices that were not used.
 Section remarks_section(const ResultFile& result);
 

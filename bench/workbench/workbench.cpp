@@ -58,8 +58,10 @@ CaseJob Workbench::resolve(const Case& params) {
     auto found = scenes_.find(params.scene);
     if (found == scenes_.end())
         found = scenes_.emplace(params.scene, load_scene(scene_file(params.scene, data_folder_))).first;
-    return {params, &found->second, &kernel,
-            render_job(params, kernel, builds_.device().info, found->second, options_.seed)};
+    CaseJob job{params, &found->second, &kernel,
+                render_job(params, kernel, builds_.device().info, found->second, options_.seed)};
+    trees_.of(job, builds_.device());
+    return job;
 }
 
 CaseResult Workbench::run(const Case& params, double time_left_s, const Stage& stage) {
@@ -76,6 +78,7 @@ void Workbench::attempt(const CaseJob& job, double time_left_s, const Stage& sta
     Record& record = result.record;
     refuse_unsupported(job, builds_.device());
     stage("build", 0);
+    record.tree = trees_.of(job, builds_.device());
     record.build = builds_.source_of(job);
     record.build = builds_.described(job);
     record.validation = validator_.verdict(job, stage);
@@ -113,8 +116,10 @@ Record Workbench::round(const Case& params, int samples, const Stage& stage) {
     return record;
 }
 
-Rendered Workbench::picture(const Case& params, std::optional<double> time_s, const Progress& progress) {
-    const CaseJob job = resolve(params);
+Rendered Workbench::picture(const Case& params, bool cost, std::optional<double> time_s,
+                            const Progress& progress) {
+    CaseJob job = resolve(params);
+    job.work.cost = cost;
     refuse_unsupported(job, builds_.device());
     return render_picture(builds_, pace_, job, time_s, progress);
 }

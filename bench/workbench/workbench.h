@@ -8,6 +8,7 @@
 
 #include "bench/workbench/picture_job.h"
 #include "bench/workbench/stopwatch.h"
+#include "bench/workbench/trees.h"
 #include "bench/workbench/validator.h"
 
 namespace ptb {
@@ -33,9 +34,9 @@ class Workbench {
     /// Some samples of a case that `run` found valid; their film is checked too. Throws what goes wrong.
     Record round(const Case& params, int samples, const Stage& stage);
 
-    /// The picture of a case, or of what comes of it in `time_s`; see `render_picture`. Throws Unsupported
-    /// for what this device cannot do, and what goes wrong.
-    Rendered picture(const Case& params, std::optional<double> time_s, const Progress& progress);
+    /// The picture of a case, or of what its samples cost, or of what comes of it in `time_s`; see
+    /// `render_picture`. Throws Unsupported for what this device cannot do, and what goes wrong.
+    Rendered picture(const Case& params, bool cost, std::optional<double> time_s, const Progress& progress);
 
     /// What the device can do at most. Throws what goes wrong.
     std::vector<Peak> peaks(const Stage& stage) const;
@@ -52,6 +53,7 @@ class Workbench {
     std::filesystem::path data_folder_;
     std::map<std::string, Scene> scenes_;
     Builds builds_;
+    Trees trees_;
     Pace pace_;
     Validator validator_;
     Stopwatch stopwatch_;

@@ -37,12 +37,12 @@ void decode(const Json& json, const Where& where, WorkerFacts& facts) {
 }
 
 template <>
-inline constexpr auto fields<Request> =
-    std::make_tuple(required("kind", &Request::kind), required("protocol", &Request::protocol),
-                    field("number", &Request::number), field("measure", &Request::measure),
-                    field("params", &Request::params), field("time_left_s", &Request::time_left_s),
-                    field("scene_hash", &Request::scene_hash), field("picture", &Request::picture),
-                    field("samples", &Request::samples), field("time_s", &Request::time_s));
+inline constexpr auto fields<Request> = std::make_tuple(
+    required("kind", &Request::kind), required("protocol", &Request::protocol),
+    field("number", &Request::number), field("measure", &Request::measure), field("params", &Request::params),
+    field("time_left_s", &Request::time_left_s), field("scene_hash", &Request::scene_hash),
+    field("picture", &Request::picture), field("samples", &Request::samples),
+    field("time_s", &Request::time_s), field("cost", &Request::cost));
 
 template <>
 inline constexpr auto fields<Response> = std::make_tuple(

@@ -12,7 +12,7 @@
 namespace ptb {
 
 /// Version of the line protocol between coordinator and worker; a mismatch ends the run with exit code 7.
-inline constexpr int protocol_version = 3;
+inline constexpr int protocol_version = 4;
 
 /// Coordinator to worker, one JSON object a line. The first line is always `open`; `stop` is no request of
 /// its own, but ends the `render` of its number early. A worker whose stdin ends is not wanted any more.
@@ -28,6 +28,7 @@ struct Request {
     bool picture = false;               ///< run: send the timed picture, too
     std::optional<double> time_s;       ///< render: how long, whatever the case says of samples
     int samples = 0;                    ///< round: how many
+    bool cost = false;                  ///< render: what samples took (RenderJob::cost)
     bool operator==(const Request&) const = default;
 };
 

@@ -133,10 +133,11 @@ class DeviceSession : public WorkerSession {
         Response response;
         response.kind = Response::Kind::rendered;
         try {
-            const Rendered rendered = bench_->picture(request.params, request.time_s, [&](double done) {
-                progress("render", done);
-                return !stop_asked_(request.number);
-            });
+            const Rendered rendered =
+                bench_->picture(request.params, request.cost, request.time_s, [&](double done) {
+                    progress("render", done);
+                    return !stop_asked_(request.number);
+                });
             send_pixels(rendered.image, send);
             response.whole = rendered.whole;
             response.spp = rendered.spp;

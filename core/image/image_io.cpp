@@ -113,6 +113,11 @@ bool is_image_file(const std::filesystem::path& file) {
     return extension_of(file) == ".exr" || encoders().contains(extension_of(file));
 }
 
+bool keeps_floats(const std::filesystem::path& file) {
+    const std::string extension = extension_of(file);
+    return extension == ".exr" || extension == ".pfm";
+}
+
 void write_image(const std::filesystem::path& file, const Image& image) {
     if (!is_image_file(file))
         throw ImageError(fmt::format("{}: the extension \"{}\" is not one of .exr .pfm .png .ppm",

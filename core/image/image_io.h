@@ -19,6 +19,9 @@ struct ImageError : std::runtime_error {
 /// True when `write_image` knows the extension (.exr .pfm .png .ppm, in any case).
 bool is_image_file(const std::filesystem::path& file);
 
+/// Of those, whether it holds numbers of any size (.exr .pfm) and not colours.
+bool keeps_floats(const std::filesystem::path& file);
+
 /// Writes the whole file or nothing. Throws ImageError.
 void write_bytes(const std::filesystem::path& file, std::string_view bytes);
 

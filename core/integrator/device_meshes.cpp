@@ -75,10 +75,15 @@ std::vector<cl::Buffer> tree_buffers(const ocl::Device& device, const Tree& tree
     return {buffer(tree.nodes2), buffer(tree.triangles)};
 }
 
+std::shared_ptr<const Tree> mesh_tree(const Scene& scene, const Vec3& origin, TreeLayout layout,
+                                      const TreeSettings& settings) {
+    const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    return scene.trees->tree(device_triangles(scene, origin), layout, settings, threads);
+}
+
 void add_meshes(DeviceScene& device, const Scene& scene, TreeLayout layout, const TreeSettings& settings) {
     if (!device.has_meshes) return;
-    const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    device.meshes.tree = scene.trees->tree(device_triangles(scene, device.origin), layout, settings, threads);
+    device.meshes.tree = mesh_tree(scene, device.origin, layout, settings);
     device.meshes.triangles = scene_triangles(scene, device.mesh_faces);
     device.meshes.refract = refracts(scene);
 }

@@ -194,6 +194,12 @@ DeviceScene device_scene_for(const Integrator& row, const ocl::Device& device, c
     return result;
 }
 
+std::shared_ptr<const Tree> tree_for(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+    if (scene.meshes.empty()) return nullptr;
+    return mesh_tree(scene, make_device_scene(scene).origin, layout_of(device, job.variant),
+                     settings_of(job.variant));
+}
+
 std::string engine_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,
                            const RenderJob& job) {
     for (const std::string& reason :
@@ -249,6 +255,7 @@ std::string engine_options(const Integrator& row, const ocl::Device& device, con
     if (job.variant.roulette == Roulette::albedo) text += " -DENGINE_ROULETTE";
     if (job.variant.film_memory == FilmMemory::image) text += " -DENGINE_IMAGE_FILM";
     if (job.variant.rng == Rng::park_miller) text += " -DPTB_PARK_MILLER";
+    if (job.cost) text += std::string(count_option) + " -DENGINE_COST";
     return text;
 }
 

@@ -19,6 +19,9 @@ std::string tree_options(const ocl::Device& device, const Tree& tree);
 std::string mesh_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,
                          const RenderJob& job);
 
+/// The tree of a scene with meshes that a job of this variant searches; null without meshes.
+std::shared_ptr<const Tree> tree_for(const ocl::Device& device, const Scene& scene, const RenderJob& job);
+
 /// Build options of an integrator for a job.
 std::string engine_options(const Integrator& row, const ocl::Device& device, const Scene& scene,
                            const RenderJob& job);

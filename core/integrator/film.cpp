@@ -126,7 +126,9 @@ class ImageFilm : public FilmStore {
 
 FilmScale film_scale(const Scene& scene, const RenderJob& job, double least_chance) {
     const auto bits = [](double most) { return static_cast<int>(std::ceil(std::log2(most))); };
-    const int samples = bits(job.spp), radiance = bits(most_radiance(scene, job.path_length));
+    constexpr int cost = 24;  // bits of a whole number that a float holds
+    const int samples = bits(job.spp);
+    const int radiance = job.cost ? cost : bits(most_radiance(scene, job.path_length));
     constexpr int most_weight = 20, of_spared = 6;
     const int weight = std::min(bits(1 / least_chance), most_weight) +
                        (job.variant.roulette == Roulette::off ? 0 : of_spared);

@@ -62,6 +62,14 @@ std::string ray_kind_reason(const Integrator& integrator, const Variant& variant
     return fmt::format("ray_kind {}: {} lists no rays", variant_value("ray_kind", variant), integrator.id);
 }
 
+std::string cost_reason(const Integrator& integrator, const Scene& scene, const RenderJob& job) {
+    if (!job.cost) return "";
+    if (scene.meshes.empty())
+        return fmt::format("aov cost: scene {} has no meshes, whose tree it shows", scene.name);
+    if (integrator.independent_pixels) return "";
+    return fmt::format("aov cost: samples of {} belong to no pixel alone", integrator.id);
+}
+
 }  // namespace
 
 const std::vector<Integrator>& integrators() {
@@ -142,6 +150,11 @@ int default_lanes(const Integrator& integrator, const DeviceInfo& device) {
     return has ? device.default_lanes : widths.front();
 }
 
+std::shared_ptr<const Tree> tree_of(const Integrator& integrator, const ocl::Device& device,
+                                    const Scene& scene, const RenderJob& job) {
+    return integrator.meshes ? tree_for(device, scene, job) : nullptr;
+}
+
 std::string unsupported_reason(const Integrator& integrator, const ocl::Device& device, const Scene& scene,
                                const RenderJob& job) {
     if (std::find(integrator.lanes.begin(), integrator.lanes.end(), job.lanes) == integrator.lanes.end())
@@ -156,6 +169,7 @@ std::string unsupported_reason(const Integrator& integrator, const ocl::Device& 
                            job.path_length, scene.spheres.size(), ocl::loop_limit(device.info));
     for (const std::string& reason :
          {tree_reason(scene, job.variant), ray_kind_reason(integrator, job.variant),
+          cost_reason(integrator, scene, job),
           work_group_reason(integrator, device.info, job), launch_refusal(device, job),
           integrator.refusal(device, scene, job), memory_reason(integrator, device, scene, job)})
         if (!reason.empty()) return reason;

@@ -82,6 +82,11 @@ std::string truth_of(const std::string& id);
 /// have 1 everywhere.
 int default_lanes(const Integrator& integrator, const DeviceInfo& device);
 
+/// The tree that a job's rays search, which is built unless it was the last one; null where the scene has no
+/// meshes, or the integrator sees none. Throws as build_tree does.
+std::shared_ptr<const Tree> tree_of(const Integrator& integrator, const ocl::Device& device,
+                                    const Scene& scene, const RenderJob& job);
+
 /// Why this device cannot do this job (the limit is named), or nothing. Known before anything is built.
 std::string unsupported_reason(const Integrator& integrator, const ocl::Device& device, const Scene& scene,
                                const RenderJob& job);

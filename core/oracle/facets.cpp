@@ -6,8 +6,6 @@
 namespace ptb {
 namespace {
 
-constexpr std::size_t group_size = 16;
-
 Facet make_facet(const Mesh& mesh, const Face& face) {
     const Vec3 &a = mesh.vertices[face[0]], &b = mesh.vertices[face[1]], &c = mesh.vertices[face[2]];
     return {a, b, c, normalized(cross(b - a, c - a)), mesh.material};
@@ -20,13 +18,6 @@ Vec3 lowest(const Vec3& a, const Vec3& b) {
 Vec3 highest(const Vec3& a, const Vec3& b) { return -lowest(-a, -b); }
 
 double largest_coordinate(const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
-
-/// Narrows [begin, end] to where the ray is between two planes; 0 / 0 leaves it as it is.
-void clip(double low, double high, double origin, double direction, double& begin, double& end) {
-    const double one = (low - origin) / direction, other = (high - origin) / direction;
-    begin = std::fmax(begin, std::fmin(one, other));
-    end = std::fmin(end, std::fmax(one, other));
-}
 
 /// Of a ray: takes it to the z axis by shears, after its longest coordinate was made z.
 class Shear {
@@ -72,70 +63,64 @@ FacetHit meet(const Facet& facet, const PathRay& ray, const Shear& sheared) {
     return {distance, 0, position};
 }
 
+/// Takes what is nearer than the best one so far, or as near and before it in the scene.
+void meet_closer(const Facet& facet, int number, const PathRay& ray, const Shear& sheared, FacetHit& best) {
+    const FacetHit hit = meet(facet, ray, sheared);
+    if (hit.facet < 0 || hit.distance > best.distance) return;
+    if (hit.distance < best.distance || number < best.facet) best = {hit.distance, number, hit.position};
+}
+
+/// A thousand times the rounding of a box's test, wherever in the scene a ray begins.
+double margin_of(const Scene& scene) {
+    double largest = largest_coordinate(scene.camera.position);
+    for (const Sphere& sphere : scene.spheres)
+        largest = std::max(largest, largest_coordinate(sphere.centre) + sphere.radius);
+    for (const Mesh& mesh : scene.meshes)
+        for (const Vec3& vertex : mesh.vertices) largest = std::max(largest, largest_coordinate(vertex));
+    return 1e-12 * largest;
+}
+
+FacetBox box_of(const Facet& facet, const Vec3& margin) {
+    return {lowest(lowest(facet.a, facet.b), facet.c) - margin,
+            highest(highest(facet.a, facet.b), facet.c) + margin};
+}
+
+FacetTree tree_of(const Scene& scene, const std::vector<Facet>& facets) {
+    const double margin = margin_of(scene);
+    std::vector<FacetBox> boxes;
+    boxes.reserve(facets.size());
+    for (const Facet& facet : facets) boxes.push_back(box_of(facet, {margin, margin, margin}));
+    return FacetTree(boxes);
+}
+
 }  // namespace
 
-Facets::Facets(const Scene& scene) {
+std::vector<Facet> facets_of(const Scene& scene) {
+    std::vector<Facet> facets;
     for (const Mesh& mesh : scene.meshes)
-        for (const Face& face : mesh.faces) facets_.push_back(make_facet(mesh, face));
-    groups_ = (facets_.size() + group_size - 1) / group_size;
-    boxes_.resize(2 * groups_);
-    const Vec3 all_around = Vec3{1, 1, 1} * margin(scene);
-    for (std::size_t group = 0; group < groups_; ++group)
-        boxes_[groups_ + group] = box_of_group(group, all_around);
-    for (std::size_t i = groups_; i-- > 1;)
-        boxes_[i] = {lowest(boxes_[2 * i].low, boxes_[2 * i + 1].low),
-                     highest(boxes_[2 * i].high, boxes_[2 * i + 1].high)};
+        for (const Face& face : mesh.faces) facets.push_back(make_facet(mesh, face));
+    return facets;
 }
 
-/// A million times the rounding of a box's test.
-double Facets::margin(const Scene& scene) const {
-    double largest = largest_coordinate(scene.camera.position);
-    for (const Facet& facet : facets_)
-        for (const Vec3& corner : {facet.a, facet.b, facet.c})
-            largest = std::max(largest, largest_coordinate(corner));
-    return 1e-9 * largest;
-}
-
-Facets::Box Facets::box_of_group(std::size_t group, const Vec3& margin) const {
-    const std::size_t begin = group * group_size, end = std::min(begin + group_size, facets_.size());
-    Box box = {facets_[begin].a, facets_[begin].a};
-    for (std::size_t i = begin; i < end; ++i)
-        for (const Vec3& corner : {facets_[i].a, facets_[i].b, facets_[i].c})
-            box = {lowest(box.low, corner), highest(box.high, corner)};
-    return {box.low - margin, box.high + margin};
-}
-
-void Facets::meet_group(std::size_t group, const PathRay& ray, int left_out, int other_left_out,
-                        FacetHit& best) const {
-    const Shear sheared(ray);
-    const std::size_t begin = group * group_size, end = std::min(begin + group_size, facets_.size());
-    for (std::size_t i = begin; i < end; ++i) {
-        const int number = static_cast<int>(i);
-        if (number == left_out || number == other_left_out) continue;
-        const FacetHit hit = meet(facets_[i], ray, sheared);
-        if (hit.distance < best.distance) best = {hit.distance, number, hit.position};
-    }
-}
+Facets::Facets(const Scene& scene) : facets_(facets_of(scene)), tree_(tree_of(scene, facets_)) {}
 
 FacetHit Facets::nearest(const PathRay& ray, int left_out, int other_left_out) const {
+    const Shear sheared(ray);
     FacetHit best;
-    std::vector<std::size_t> open;
-    if (groups_ > 0) open.push_back(1);
-    while (!open.empty()) {
-        const std::size_t i = open.back();
-        open.pop_back();
-        double begin = 0, end = best.distance;
-        clip(boxes_[i].low.x, boxes_[i].high.x, ray.origin.x, ray.direction.x, begin, end);
-        clip(boxes_[i].low.y, boxes_[i].high.y, ray.origin.y, ray.direction.y, begin, end);
-        clip(boxes_[i].low.z, boxes_[i].high.z, ray.origin.z, ray.direction.z, begin, end);
-        if (begin > end) continue;
-        if (i >= groups_) {
-            meet_group(i - groups_, ray, left_out, other_left_out, best);
-        } else {
-            open.push_back(2 * i);
-            open.push_back(2 * i + 1);
-        }
-    }
+    tree_.along(ray, best.distance, [&](std::span<const int> numbers) {
+        for (const int number : numbers)
+            if (number != left_out && number != other_left_out)
+                meet_closer((*this)[number], number, ray, sheared, best);
+    });
+    return best;
+}
+
+FacetHit Facets::nearest_of_each(const PathRay& ray, int left_out, int other_left_out) const {
+    const Shear sheared(ray);
+    FacetHit best;
+    for (int number = 0; number < count(); ++number)
+        if (number != left_out && number != other_left_out)
+            meet_closer((*this)[number], number, ray, sheared, best);
     return best;
 }
 

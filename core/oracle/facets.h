@@ -2,15 +2,13 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
+#include "core/oracle/facet_tree.h"
 #include "core/scene/scene.h"
 
 namespace ptb {
-
-struct PathRay {
-    Vec3 origin, direction;  ///< direction of unit length
-};
 
 /// A triangle of a scene's meshes, ready to be met.
 struct Facet {
@@ -29,6 +27,9 @@ struct FacetHit {
 };
 
 /// All triangles of a scene, in its order.
+std::vector<Facet> facets_of(const Scene& scene);
+
+/// Those, to be met by rays. Of triangles at equal distances the first one is met.
 class Facets {
   public:
     explicit Facets(const Scene& scene);
@@ -37,22 +38,12 @@ class Facets {
     int count() const { return static_cast<int>(facets_.size()); }
     /// Nearest of those ahead, less two that are left out; -1 leaves out none.
     FacetHit nearest(const PathRay& ray, int left_out, int other_left_out) const;
+    /// The same by asking each of them: what `nearest` is held against.
+    FacetHit nearest_of_each(const PathRay& ray, int left_out, int other_left_out) const;
 
   private:
-    struct Box {
-        Vec3 low, high;
-    };
-
-    double margin(const Scene& scene) const;
-    Box box_of_group(std::size_t group, const Vec3& margin) const;
-    void meet_group(std::size_t group, const PathRay& ray, int left_out, int other_left_out,
-                    FacetHit& best) const;
-
     std::vector<Facet> facets_;
-    std::size_t groups_ = 0;  ///< of facets that follow each other
-    /// Of box i the halves are 2 i and 2 i + 1; the last `groups_` boxes are those of the groups. 1 holds
-    /// all.
-    std::vector<Box> boxes_;
+    FacetTree tree_;
 };
 
 }  // namespace ptb

@@ -58,9 +58,9 @@ LampPoint as_point(const Sphere& lamp, int number, const Vec3& radiance, const C
 
 /// Each triangle that glows.
 void add_flat_lamps(const Scene& scene, std::vector<LampPoint>& points) {
-    const Facets facets(scene);
-    for (int i = 0; i < facets.count(); ++i) {
-        const Facet& facet = facets[i];
+    int number = 0;
+    for (const Facet& facet : facets_of(scene)) {
+        const int i = number++;
         const Vec3& radiance = scene.materials[static_cast<std::size_t>(facet.material)].radiance;
         if (radiance == Vec3{}) continue;
         points.push_back({{-1, i}, facet.centroid(), radiance * facet.area(), {}, facet.normal});

@@ -43,7 +43,8 @@ std::optional<Counts> CountedRows::read() const {
     for (std::size_t i = 0; i < words / 2; ++i)
         sums[i % PTB_COUNTED_SUMS] += read[2 * i] | std::uint64_t{read[2 * i + 1]} << 32;
     return Counts{sums[PTB_COUNTED_SEGMENTS], sums[PTB_COUNTED_LANES],     sums[PTB_COUNTED_FLOPS],
-                  sums[PTB_COUNTED_ROOTS],    sums[PTB_COUNTED_DIVISIONS], sums[PTB_COUNTED_BYTES]};
+                  sums[PTB_COUNTED_ROOTS],    sums[PTB_COUNTED_DIVISIONS], sums[PTB_COUNTED_BYTES],
+                  sums[PTB_COUNTED_SEARCHES], sums[PTB_COUNTED_NODES],     sums[PTB_COUNTED_TRIANGLES]};
 }
 
 }  // namespace ptb

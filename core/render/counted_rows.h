@@ -13,6 +13,7 @@ inline constexpr const char* count_option = " -DPTB_COUNT";
 /// What an instrumented kernel says that it did: see kernels/shared/counts.h.
 struct Counts {
     std::uint64_t segments = 0, lanes = 0, flops = 0, roots = 0, divisions = 0, bytes = 0;
+    std::uint64_t searches = 0, nodes = 0, triangles = 0;  ///< of a tree, where there are meshes
     bool operator==(const Counts&) const = default;
 };
 

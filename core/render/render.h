@@ -28,6 +28,9 @@ struct RenderJob {
     /// Samples that a pixel may be ahead of others while the render goes on; a multiple of it is `spp`. 0: as
     /// many as is fastest.
     int round_spp = 0;
+    /// In place of its radiance a pixel has what its samples took of a tree: nodes, triangles and rays, in
+    /// the three channels. A build of its own, which counts; the job's times are not those of the usual one.
+    bool cost = false;
 };
 
 /// The four timestamps of one launch's event, nanoseconds of the device's clock.

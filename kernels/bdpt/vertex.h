@@ -80,7 +80,7 @@ ALWAYS_INLINE lanes_mask bounce(const World* world, Path* path, const Arrival* m
                                 lanes_mask alive COUNTED_PARAMETER) {
     const Vec draw = draw_bounce(&path->random);
     const Sides before = path->inside;
-    const lanes_f half_inverse_cosine = scatter(world->scene, &path->ray, &path->inside, &met->hit, &met->surface, &draw);
+    const lanes_f half_inverse_cosine = scatter(world->scene, &path->ray, &path->inside, &met->hit, &met->surface, &draw COUNTED_ARGUMENT);
     const lanes_mask goes_on = alive & !met->ends & !dies(path, met->goes_on);
     COUNTED_LANES(alive, BDPT_BOUNCE_WORK)
     COUNTED(two_sided_spheres(world->scene) > 0u ? counted_lanes(alive) : 0u, BDPT_GLASS_WORK(carries))

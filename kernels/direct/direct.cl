@@ -18,7 +18,7 @@ static inline lanes_mask trace_segment(const World* world, Path* path, const Hit
     gather_lamp(world, path, &surface, matte & (turn + 1u < path->last_turn), (lanes_f)(0.0f), alive COUNTED_ARGUMENT);
 
     const Vec draw = draw_bounce(&path->random);
-    scatter(scene, &path->ray, &path->inside, hit, &surface, &draw);
+    scatter(scene, &path->ray, &path->inside, hit, &surface, &draw COUNTED_ARGUMENT);
     return ends | matte | dies(path, chance_to_go_on(&surface));
 }
 

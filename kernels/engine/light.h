@@ -103,6 +103,7 @@ static inline void gather_lamp(const World* world, Path* path, const Surface* su
     const LampDraw draw = draw_lamp(&path->random);
     if (!lanes_any(matte)) return;
     const LampSample lamp = sample_lamp(world->scene, &world->lamps, path->ray.origin, &draw, counts & matte COUNTED_ARGUMENT);
+    COUNTED_CENTRES(path->ray, counts & matte)
     COUNTED_LANES(counts & matte, LIGHT_COSINE_WORK)
     const lanes_f cosine = vec_dot(matte_normal(path, surface), lamp.direction);
     const lanes_mask lit = matte & (cosine > 0.0f) & (lamp.density.whole > 0.0f);

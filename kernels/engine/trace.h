@@ -6,6 +6,7 @@
 #define PTB_ENGINE_TRACE_H
 
 #include "engine/unit.h"
+#include "engine/cost.h"
 #include "engine/work.h"
 #ifdef ENGINE_SPLATS
 #include "engine/lights.h"
@@ -36,6 +37,7 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, 
     Unit unit = no_unit();
     Path path = no_path();
     Spare spare = no_spare();
+    SPENT_NOTHING
     lanes_mask alive = take_units(&unit, traced_by(&path, 0u), lanes_all(), queue, run_starts, &launch);
     COUNTED_LANES(lanes_all(), ENGINE_TAKE_WORK)
     refill(&spare, &unit, &launch);
@@ -60,7 +62,7 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, 
         COUNTED_LANES(alive & ended, ENGINE_PATH_WORK)
 
         if (lanes_any(ended)) {
-            Vec radiance = gathered_radiance(&world, &path, face);
+            Vec radiance = SAMPLE_SHOWN(&world, &path, face);
             if (PTB_LANES == 1 || lanes_any(full | (ended & !spare.ready))) {
                 const lanes_mask lacking = MASK_OF_MANY(alive & ended & !spare.ready);
                 if (PTB_LANES > 1) add_samples(&unit, spare.radiance, !spare.ready);

@@ -48,7 +48,7 @@
 #define LIGHT_SHARE_WORK 3u, 0u, 1u, 0u
 #endif
 #define LIGHT_TRIANGLE_WORK 7u, 0u, 0u, 0u
-#define LIGHT_COSINE_WORK 11u, 0u, 0u, 0u
+#define LIGHT_COSINE_WORK 8u, 0u, 0u, 0u
 #define LIGHT_WEIGHT_WORK 7u, 0u, 1u, 0u
 #define LIGHT_SENT_WORK 6u, 0u, 0u, 0u
 /* Roulette: the chance, and the throughput and comparison. */

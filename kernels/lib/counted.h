@@ -24,6 +24,8 @@
 #define COUNTED_LANES(mask, WORK) counted_work(counted, counted_lanes(mask), WORK);
 /* So many segments, traced together. */
 #define COUNTED_SEGMENTS(live) counted_segments(counted, live);
+/* Steps of a search: PTB_COUNTED_SEARCHES, _NODES, _TRIANGLES. */
+#define COUNTED_STEPS(sum, steps) counted[sum] += (steps);
 /* In a function that is handed the sums for its twin's sake. */
 #define COUNTED_UNUSED (void)counted;
 
@@ -83,6 +85,7 @@ static inline void counted_add(__global uint* rows, const ulong* counted) {
 #define COUNTED(times, WORK)
 #define COUNTED_LANES(mask, WORK)
 #define COUNTED_SEGMENTS(live)
+#define COUNTED_STEPS(sum, steps)
 #define COUNTED_UNUSED
 
 #endif

@@ -36,7 +36,7 @@ static inline lanes_mask trace_segment(const World* world, Path* path, const Hit
     COUNTED_SEGMENT(scene, alive)
     COUNTED_LANES(alive, ENGINE_GATHER_WORK)
     move_to_hit(&path->ray, hit);
-    scatter(scene, &path->ray, &path->inside, hit, &surface, &draw);
+    scatter(scene, &path->ray, &path->inside, hit, &surface, &draw COUNTED_ARGUMENT);
     return ends | dies(path, chance_to_go_on(&surface));
 }
 

@@ -51,7 +51,7 @@ ALWAYS_INLINE Vertex move_to_shown(Path* path, const Arrival* met, lanes_mask al
 ALWAYS_INLINE lanes_mask bounce_light(const World* world, Path* path, const Arrival* met, lanes_mask alive COUNTED_PARAMETER) {
     const Vec draw = draw_bounce(&path->random);
     const Sides before = path->inside;
-    (void)scatter(world->scene, &path->ray, &path->inside, &met->hit, &met->surface, &draw);
+    (void)scatter(world->scene, &path->ray, &path->inside, &met->hit, &met->surface, &draw COUNTED_ARGUMENT);
     const lanes_mask goes_on = alive & !dies(path, met->goes_on);
     if (two_sided_spheres(world->scene) > 0u) {
         COUNTED_LANES(alive, BDPT_GLASS_WORK(true))

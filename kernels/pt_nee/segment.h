@@ -23,7 +23,7 @@ ALWAYS_INLINE lanes_mask trace_asking(const World* world, Path* path, const Hit*
     gather_lamp(world, path, &surface, matte & (turn + 1u < path->last_turn), goes_on, alive COUNTED_ARGUMENT);
 
     const Vec draw = draw_bounce(&path->random);
-    const lanes_f half_inverse_cosine = scatter(scene, &path->ray, &path->inside, hit, &surface, &draw);
+    const lanes_f half_inverse_cosine = scatter(scene, &path->ray, &path->inside, hit, &surface, &draw COUNTED_ARGUMENT);
     COUNTED_LANES(alive, LIGHT_BOUNCE_WORK)
     path->inverse_density = lanes_select((lanes_f)(0.0f), over_chance(2.0f * PI * half_inverse_cosine, goes_on), matte);
     return ends | dies(path, goes_on);

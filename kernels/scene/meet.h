@@ -28,8 +28,10 @@ static inline void move_to_hit(Ray* ray, const Hit* hit) { move_to_sphere(ray, h
 static inline Vec from_centre(const Ray* ray, Vec centre) { return vec_sub(ray->origin, centre); }
 
 /* The rays go through the faces that they are at. */
-static inline void pass_through(Scene scene, Ray* ray, Sides* inside, const Hit* hit, lanes_f along, lanes_mask through) {
+static inline void pass_through(Scene scene, Ray* ray, Sides* inside, const Hit* hit, lanes_f along,
+                                lanes_mask through COUNTED_PARAMETER) {
     (void)ray, (void)along;
+    COUNTED_UNUSED
     change_sides(scene, inside, hit_face(hit), through);
 }
 
@@ -46,7 +48,12 @@ static inline void begin_search(Scene scene, const Ray* ray, const Sides* inside
 static inline void end_search(Scene scene, const Ray* ray, const Search* search, Hit* hit COUNTED_PARAMETER) {
     hit->triangle = TREE_NOTHING;
     const Found found = search->found;
-    if (found.place == TREE_NOTHING) return;
+    COUNTED_SEARCH
+    if (found.place == TREE_NOTHING) {
+        COUNTED(1u, SCENE_MOVE_WORK)
+        COUNTED(1u, SCENE_CENTRE_WORK)
+        return;
+    }
     COUNTED(1u, TREE_MET_WORK)
     Vec corner[3];
     hit->triangle = triangle_at(scene.tree, found.place, corner);
@@ -77,6 +84,7 @@ static inline bool sees(Scene scene, const Ray* ray, const Sides* inside, float 
     if (itself || !sees_past_spheres(scene, ray, inside, distance, target)) return false;
     Search search;
     SearchStack stack;
+    COUNTED_SEARCH
     search_begin(&search, ray->origin, ray->direction, distance, ray->left, end COUNTED_ARGUMENT);
     search_all(scene.tree, &search, &stack, true COUNTED_ARGUMENT);
     return search.found.place == TREE_NOTHING;
@@ -97,10 +105,11 @@ static inline Vec from_centre(const Ray* ray, Vec centre) {
     return ray->left == TREE_NOTHING ? vec_sub(ray->origin, centre) : ray->normal;
 }
 
-static inline void pass_through(Scene scene, Ray* ray, Sides* inside, const Hit* hit, float along, bool through) {
+static inline void pass_through(Scene scene, Ray* ray, Sides* inside, const Hit* hit, float along, bool through COUNTED_PARAMETER) {
     if (ray->left == TREE_NOTHING) {
         change_sides(scene, inside, hit_face(hit), through);
     } else if (through) {
+        COUNTED(1u, TREE_PASS_WORK)
         ray->origin = vec_add_scaled(ray->origin, ray->normal, along > 0.0f ? 2.0f * ray->margin : -2.0f * ray->margin);
     }
 }

@@ -37,13 +37,15 @@ static inline lanes_mask refract_some(lanes_f* normal, lanes_f along, const Surf
 
 /* Gives rays that are at their hits new directions; where they pass through a dielectric, changes sides. Returns 1 / length
    of the sum that the direction is made of: of a matte surface 1 / twice its cosine. */
-ALWAYS_INLINE lanes_f scatter(Scene scene, Ray* ray, Sides* inside, const Hit* hit, const Surface* surface, const Vec* draw) {
+ALWAYS_INLINE lanes_f scatter(Scene scene, Ray* ray, Sides* inside, const Hit* hit, const Surface* surface,
+                              const Vec* draw COUNTED_PARAMETER) {
     const Vec outwards = from_centre(ray, surface->centre);
     const lanes_f along = vec_dot(ray->direction, outwards);
     lanes_f normal = surface->matte - surface->mirrored * along;
     const Vec base = vec_select(*draw, ray->direction, surface->mirrored > 0.0f);
     /* of many rays some is mostly at a dielectric, so there is no branch */
-    if (scene_refracts(scene)) pass_through(scene, ray, inside, hit, along, refract_some(&normal, along, surface, draw));
+    if (scene_refracts(scene))
+        pass_through(scene, ray, inside, hit, along, refract_some(&normal, along, surface, draw) COUNTED_ARGUMENT);
     const Vec sum = vec_add_scaled(base, outwards, normal);
     const lanes_f squared_length = vec_dot(sum, sum);
 #ifdef SCENE_TREE

@@ -26,9 +26,12 @@ typedef struct SearchStack SearchStack;
 
 #define SEARCH_OVER TREE_NOTHING
 
+/* Of one that was of use: a lane may begin its next one before it knows that there is no work left. */
+#define COUNTED_SEARCH COUNTED(1u, TREE_AIM_WORK) COUNTED_STEPS(PTB_COUNTED_SEARCHES, 1u)
+
 /* Begins one within `distance`, of triangles that are not of these two numbers. */
 static inline void search_begin(Search* s, Vec origin, Vec direction, float distance, uint left, uint target COUNTED_PARAMETER) {
-    COUNTED(1u, TREE_AIM_WORK)
+    COUNTED_UNUSED
     search_aim(s, origin, direction);
     s->found.distance = distance;
     s->found.place = TREE_NOTHING;

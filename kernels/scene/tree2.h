@@ -55,6 +55,7 @@ static inline bool enters_box(const Search* s, float4 low, float4 high, float* e
 /* Goes to the nearer child that the ray enters, and keeps the other for later. */
 static inline void search_node(Tree tree, Search* s, SearchStack* stack COUNTED_PARAMETER) {
     COUNTED(1u, TREE_NODE_WORK)
+    COUNTED_STEPS(PTB_COUNTED_NODES, 1u)
     __global const float4* node = tree.nodes + 4u * s->at;
     const float4 low0 = node[0], high0 = node[1], low1 = node[2], high1 = node[3];
     float entry0, entry1;
@@ -86,6 +87,7 @@ static inline Corner corner_seen(const Search* s, Vec from_origin) {
 /* Meets the triangle at this place. Returns whether it is the nearest now. */
 static inline bool search_triangle(Tree tree, Search* s, uint place COUNTED_PARAMETER) {
     COUNTED(1u, TREE_TRIANGLE_WORK)
+    COUNTED_STEPS(PTB_COUNTED_TRIANGLES, 1u)
     __global const float4* corners = tree.leaves + 3u * place;
     const float4 a_number = corners[0];
     const Vec a = vec_sub(vec_of(a_number), s->origin), b = vec_sub(vec_of(corners[1]), s->origin);

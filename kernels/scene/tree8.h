@@ -97,6 +97,7 @@ static inline void search_push(Search* s, SearchStack* stack, uint base, ulong w
 /* Goes to the nearest child that the ray enters, and keeps the others for later. */
 static inline void search_node(Tree tree, Search* s, SearchStack* stack COUNTED_PARAMETER) {
     COUNTED(1u, TREE_NODE_WORK)
+    COUNTED_STEPS(PTB_COUNTED_NODES, 1u)
     __global const float* node = node_at(tree, s->at);
     const float8 in_x = slab(s, node + s->entry[0], 0u), out_x = slab(s, node + s->exit[0], 0u);
     const float8 in_y = slab(s, node + s->entry[1], 1u), out_y = slab(s, node + s->exit[1], 1u);
@@ -162,6 +163,7 @@ static inline Corner corner_seen(const Search* s, __global const float* block, u
 
 static inline void search_leaf(Tree tree, Search* s, const SearchStack* stack, const bool any COUNTED_PARAMETER) {
     COUNTED(8u, TREE_TRIANGLE_WORK)
+    COUNTED_STEPS(PTB_COUNTED_TRIANGLES, 8u)
     const uint number = s->at & ~TREE_LEAF;
     __global const float* block = block_at(tree, number);
     const float8 z0 = from_origin(s, block, 0u, 2u), z1 = from_origin(s, block, 1u, 2u);

@@ -55,8 +55,17 @@
 #endif
 #define SCENE_CARE_FLOPS (5u * SCENE_DISTANT_ONES + 2u * SCENE_VAST_ONES)
 
-/* scene/scatter.h but for refraction: the move, from the centre, along, the normal's share and the sum. */
+/* scene/scatter.h but for refraction: along, the normal's share and the sum; at spheres the move and the way from the centre.
+   Where there are triangles, scene/meet.h counts what is of spheres alone. */
+#define SCENE_MOVE_WORK 6u, 0u, 0u, 0u
+#define SCENE_CENTRE_WORK 3u, 0u, 0u, 0u
+#ifdef SCENE_TREE
+#define SCENE_SCATTER_FLOPS (5u + 2u + 6u)
+#define COUNTED_CENTRES(ray, lanes) COUNTED((ray).left == TREE_NOTHING ? 1u : 0u, SCENE_CENTRE_WORK)
+#else
 #define SCENE_SCATTER_FLOPS (6u + 3u + 5u + 2u + 6u)
+#define COUNTED_CENTRES(ray, lanes) COUNTED_LANES(lanes, SCENE_CENTRE_WORK)
+#endif
 
 /* Bytes that rays read of global memory. Copies of the scene, made once a work-group or work-item, are not counted. */
 #define SCENE_SPHERE_BYTES (SCENE_SPHERES == SCENE_IN_GLOBAL ? (uint)sizeof(SceneSphere) : 0u)
@@ -91,7 +100,8 @@
     (SCENE_LINE_FLOPS + (scene).count * SCENE_SEES_FLOPS + two_sided_spheres(scene) * 2u + 5u * SCENE_DISTANT_ONES + \
      2u * SCENE_VAST_ONES + SCENE_VAST_TWO_SIDED - SCENE_SAVED_FLOPS), 0u, 0u, 0u
 
-/* scene/search.h: a ray's preparation; a node, a triangle, and one that the ray goes through. scene/meet.h: the point met. */
+/* scene/search.h: a ray's preparation; a node, a triangle, and one that the ray goes through. scene/meet.h: the point met,
+   and the step through a dielectric. */
 #ifdef SCENE_TREE
 #if SCENE_TREE == 8
 #define TREE_AIM_WORK 5u, 0u, 4u, 0u
@@ -105,8 +115,9 @@
 #define TREE_POINT_WORK 23u, 0u, 1u, 0u
 #endif
 #define TREE_MET_WORK (6u + 5u + 1u + 12u + 6u), 0u, 0u, (uint)(sizeof(TreeTriangle) + sizeof(SceneTriangle))
+#define TREE_PASS_WORK 7u, 0u, 0u, 0u
 #define LAMP_TRIANGLE_WORK (2u + 1u + 6u + 3u + 1u + 12u + 5u + SCENE_RSQRT_FLOPS + 3u + 1u + 1u + 5u), (1u + SCENE_RSQRT_ROOTS), \
-        SCENE_RSQRT_DIVISIONS, (uint)(sizeof(TreeTriangle) + sizeof(SceneTriangle))
+        SCENE_RSQRT_DIVISIONS, (uint)(sizeof(TreeTriangle) + sizeof(SceneTriangle) + 64u + 4u)
 #endif
 
 /* scene/lamps.h: a direction of a cone, */

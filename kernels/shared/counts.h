@@ -9,7 +9,10 @@
 #define PTB_COUNTED_ROOTS 3     /* and what a GPU's same unit does in one step: reciprocal roots, sines and cosines */
 #define PTB_COUNTED_DIVISIONS 4
 #define PTB_COUNTED_BYTES 5     /* of global memory, read or written, from a cache or not */
-#define PTB_COUNTED_SUMS 6
+#define PTB_COUNTED_SEARCHES 6  /* through a tree of triangles: of segments and of shadow rays */
+#define PTB_COUNTED_NODES 7     /* of it, met by them */
+#define PTB_COUNTED_TRIANGLES 8 /* likewise, of a block all eight */
+#define PTB_COUNTED_SUMS 9
 
 #define PTB_COUNTED_ROWS 1024
 

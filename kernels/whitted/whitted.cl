@@ -5,13 +5,18 @@
 #include "scene/scatter.h"
 
 /* The way to the point, its cosine and its side, before it is known to be lit; and its light. */
-#define WHITTED_POINT_WORK (3u + 5u + 3u + SCENE_RSQRT_FLOPS + 11u + 5u), SCENE_RSQRT_ROOTS, SCENE_RSQRT_DIVISIONS, 32u
+#define WHITTED_POINT_WORK (3u + 5u + 3u + SCENE_RSQRT_FLOPS + 8u + 5u), SCENE_RSQRT_ROOTS, SCENE_RSQRT_DIVISIONS, 32u
 #define WHITTED_LIGHT_WORK 6u, 0u, 1u, 20u
+#define WHITTED_FLAT_WORK 6u, 0u, 0u, 20u
 
 /* What a lamp that sends so much at most sends in a direction: triangles send most along their normals. */
-static inline lanes_f sent_along(__global const SceneLamp* lamp, Vec direction, lanes_f most) {
+static inline lanes_f sent_along(__global const SceneLamp* lamp, Vec direction, lanes_f most COUNTED_PARAMETER) {
+    COUNTED_UNUSED
 #ifdef SCENE_TREE
-    if ((lamp->face & SCENE_TRIANGLE) != 0u) return most * fabs(vec_dot(vec_of(lamp->axis_extent), direction));
+    if ((lamp->face & SCENE_TRIANGLE) != 0u) {
+        COUNTED(1u, WHITTED_FLAT_WORK)
+        return most * fabs(vec_dot(vec_of(lamp->axis_extent), direction));
+    }
 #endif
     (void)lamp, (void)direction;
     return most;
@@ -21,6 +26,7 @@ static inline lanes_f sent_along(__global const SceneLamp* lamp, Vec direction, 
 static inline void gather_point(const World* world, Path* path, const Surface* surface, lanes_mask matte, uint number,
                                 lanes_mask counts COUNTED_PARAMETER) {
     (void)counts;
+    COUNTED_CENTRES(path->ray, counts & matte)
     COUNTED_LANES(counts & matte, WHITTED_POINT_WORK)
     __global const SceneLamp* lamp = &world->lamps.rows[number];
     const float4 middle_sent = lamp->middle_sent, axis_extent = lamp->axis_extent;
@@ -33,7 +39,8 @@ static inline void gather_point(const World* world, Path* path, const Surface* s
     const lanes_mask lit = matte & sent & (cosine > 0.0f);
     if (!lanes_any(lit)) return;
     COUNTED_LANES(counts & lit, WHITTED_LIGHT_WORK)
-    const Vec radiance = vec_scale(vec_of(lamp->radiance_kept), sent_along(lamp, direction, middle_sent.w * (1.0f / PI) * cosine) / squared);
+    const lanes_f sent_there = sent_along(lamp, direction, middle_sent.w * (1.0f / PI) * cosine COUNTED_ARGUMENT);
+    const Vec radiance = vec_scale(vec_of(lamp->radiance_kept), sent_there / squared);
     gather_unless_shadowed(world, path, lit, direction, squared * inverse, (lanes_u)(lamp->face), radiance, counts COUNTED_ARGUMENT);
 }
 
@@ -54,7 +61,7 @@ static inline lanes_mask trace_segment(const World* world, Path* path, const Hit
     }
 
     const Vec draw = draw_bounce(&path->random);
-    scatter(scene, &path->ray, &path->inside, hit, &surface, &draw);
+    scatter(scene, &path->ray, &path->inside, hit, &surface, &draw COUNTED_ARGUMENT);
     return ends | matte | dies(path, chance_to_go_on(&surface));
 }
 

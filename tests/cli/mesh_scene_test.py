@@ -4,6 +4,7 @@ import json
 import unittest
 
 from ptbench import ONE, SOURCE, CliTest, changed
+from validate_schema import schema_errors
 
 TRIANGLE = "v 0 0 0\nv 4 0 0\nv 0 3 0\nf 1 2 3\n"
 
@@ -46,6 +47,22 @@ class MeshScenes(CliTest):
         self.assertEqual([(case["status"], case["reason"]) for case in result["cases"]],
                          [("unsupported", "scene mine has meshes: thesis sees spheres alone")])
         self.assertIn("scene mine.json: mine.obj: left out 1 triangle without an area", result["warnings"])
+
+    def test_a_record_tells_of_its_tree_and_cases_that_share_one_share_its_build(self):
+        self.write(TRIANGLE)
+        words = changed(ONE, kernel="pt", path_length=1, wg="implicit,16")
+        ran = self.run_ok(*words, "-a", "bvh=[bvh2,wide8]", "--scene", "mine.json", "--skip-time", "--out", "run")
+        trees = {}
+        for case in self.scratch.result("run")["cases"]:
+            trees.setdefault(case["params"]["bvh"], []).append(case["tree"])
+        self.assertEqual({bvh: {tree["layout"] for tree in each} for bvh, each in trees.items()},
+                         {"bvh2": {"bvh2"}, "wide8": {"wide8"}})
+        for each in trees.values():
+            self.assertEqual(each[0], each[1])
+            self.assertEqual((each[0]["triangles"], each[0]["references"], each[0]["depth"]), (1, 1, 1))
+            self.assertGreater(each[0]["build_ms"], 0)
+        self.assertIn("trees of triangles", ran.stdout)
+        self.assertEqual(schema_errors(SOURCE / "configs/schema/result.schema.json", self.scratch.work / "run/result.json"), "")
 
     def test_an_edited_mesh_is_another_scene(self):
         hashes = []

@@ -49,9 +49,22 @@ class Render(CliTest):
             (("-o", "x.png", "--time", "1", "-a", "(spp,size)=[(4,8)]"), "--time: found beside --spp"),
             (("-o", "x.png", "--time", "1", "-a", "pixel_filter=stratified"), "--time: found beside pixel_filter"),
             (("-o", "x.png", "--time", "1", "--wg", "8x8"), "one-dimensional"),
+            (("-o", "x.png", "--aov", "depth"), "--aov"),
+            (("-o", "x.png", "--aov", "cost"), "aov cost: scene thesis has no meshes"),
+            (("-o", "x.png", "--aov", "cost", "--scene", "knot", "--kernel", "thesis"), "thesis sees spheres alone"),
         ]:
             with self.subTest(words):
                 self.assert_refused("render", *words, says=says)
+
+    def test_the_cost_of_samples_is_nodes_triangles_and_rays_or_a_heat_map(self):
+        words = ("render", "-d", "pocl:0", "--scene", "cornell", "--size", "12x8", "--spp", "3", "--path-length", "4", "--aov", "cost")
+        _, pixels = pfm_pixels(self.picture(*words))
+        rays = pixels[2::3]
+        self.assertTrue(all(1 <= each <= 4 for each in rays), rays)
+        for nodes, each in zip(pixels[0::3], rays):
+            self.assertGreaterEqual(nodes, each * 0.99)
+        said = self.run_ok(*words, "-o", "x.png").stderr
+        self.assertRegex(said, r"^written: x.png \(nodes of a sample: [0-9.]+ to [0-9.]+, mean [0-9.]+; white: [0-9]+\)$")
 
     def test_the_image_does_not_depend_on_the_work_group(self):
         for device in ("pocl:0", "pocl:1"):

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""counted.py RENDER_ONCE KERNEL SCENE [PATH_LENGTH]: what the instrumented build of a kernel counts with one lane a work-item,
+"""counted.py RENDER_ONCE KERNEL SCENE [PATH_LENGTH [WORD...]]: what the instrumented build of a kernel counts with one lane a work-item,
 against the instructions that Oclgrind sees in the measured build of the same small render: the latter may be 0.1 %
-more. Work of no use is not counted: `pt` makes camera rays for samples that there are not, which are taken off here."""
+more. Work of no use is not counted: `pt` makes camera rays for samples that there are not, and begins searches for them,
+which are taken off here. WORDs choose a variant."""
 import os
 import re
 import shutil
@@ -20,6 +21,8 @@ DIVISIONS = {"fdiv": 1, "call _Z9normalizeDv4_f()": 1}
 BYTES = {"load global": r"\((\d+) bytes\)", "store global": r"\((\d+) bytes\)"}
 COPIED_BYTES = {"call llvm.memcpy.p0i8.p1i8.i64()": 48, "call llvm.memcpy.p1i8.p0i8.i64()": 48}
 CAMERA_RAY = {"flops": 22, "roots": 1, "divisions": 1, "bytes": 0}
+# A search that a lane begins when there is no work left, past the two spheres of mesh_room.
+IDLE_SEARCH = {"flops": 13 + 2 * 16 + 5, "roots": 2, "divisions": 4, "bytes": 0}
 
 
 def rendered(render_once, kernel, scene, path_length, *options):
@@ -28,6 +31,11 @@ def rendered(render_once, kernel, scene, path_length, *options):
     said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     assert "Oclgrind" in said, "the render was not Oclgrind's"
     return said
+
+
+def take_off(total, work, times):
+    for key, number in work.items():
+        total[key] -= number * times
 
 
 def seen(said):
@@ -40,8 +48,9 @@ def seen(said):
         if name in BYTES:
             total["bytes"] += int(re.search(BYTES[name], rest)[1])
         if name == "call refill()":
-            for key, number in CAMERA_RAY.items():
-                total[key] -= number * (int(times) - PIXELS * SPP)
+            take_off(total, CAMERA_RAY, int(times) - PIXELS * SPP)
+    calls = {name: int(times) for times, name, _ in lines if name.startswith("call ")}
+    take_off(total, IDLE_SEARCH, calls.get("call begin_search()", 0) - calls.get("call end_search()", 0))
     return total
 
 
@@ -49,12 +58,12 @@ def counted(said):
     return {name: int(number) for number, name in re.findall(r"(\d+) (\w+)", re.search("counted: (.*)", said)[1])}
 
 
-def main(render_once, kernel, scene, path_length="16"):
+def main(render_once, kernel, scene, path_length="16", *variant):
     if not shutil.which("oclgrind"):
         print("no oclgrind here", file=sys.stderr)
         return 1 if os.environ.get("PTB_STRICT") else 77
-    instructions = seen(rendered(render_once, kernel, scene, path_length))
-    counts = counted(rendered(render_once, kernel, scene, path_length, " -DPTB_COUNT"))
+    instructions = seen(rendered(render_once, kernel, scene, path_length, *variant))
+    counts = counted(rendered(render_once, kernel, scene, path_length, " -DPTB_COUNT", *variant))
     failures = 0
     for name, number in instructions.items():
         ratio = number / counts[name] if counts[name] else float(number == 0)

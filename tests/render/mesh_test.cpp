@@ -141,6 +141,29 @@ TEST(Meshes, work_groups_passes_and_queues_change_no_bit) {
     }
 }
 
+TEST(Meshes, a_picture_of_costs_adds_up_to_what_is_counted) {
+    RenderJob job = small_job(5, 3);
+    job.cost = true;
+    const auto sum = [&](const Film& film, std::size_t channel) {
+        double of_samples = 0;
+        for (std::size_t i = channel; i < film.mean.rgb.size(); i += 3)
+            of_samples += std::round(static_cast<double>(film.mean.rgb[i]) * job.spp);
+        return of_samples;
+    };
+    on_every_layout(job, [&](const ocl::Device& device, const RenderJob& each) {
+        const auto render = make_render(device, "pt_nee", mesh_room(), each);
+        const Film film = finish(*render, 500);
+        const Counts counts = render->counts().value();
+        EXPECT_GT(counts.nodes, counts.searches);
+        EXPECT_EQ(sum(film, 0), static_cast<double>(counts.nodes));
+        EXPECT_EQ(sum(film, 1), static_cast<double>(counts.triangles));
+        EXPECT_EQ(sum(film, 2), static_cast<double>(counts.searches));
+        RenderJob usual = each;
+        usual.cost = false;
+        EXPECT_EQ(render_film(device, "pt_nee", mesh_room(), usual).segments, film.segments);
+    });
+}
+
 TEST(Meshes, what_cannot_be_with_them_is_refused_with_the_reason) {
     on_every_device([&](const ocl::Device& device) {
         const Scene scene = mesh_room();

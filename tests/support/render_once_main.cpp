@@ -1,7 +1,8 @@
 // render_once KERNEL LANES SCENE [SPP PATH_LENGTH [OPTIONS]]: renders 8x8 pixels, 2 samples each and paths of
 // 8 segments unless told otherwise, on the first device; SCENE is a shipped scene, "far_apart", "at_a_wall",
 // "mesh_room" or "balls:N", OPTIONS are more of the build; words like "rng=park_miller", anywhere, choose a
-// variant. For tools that watch a whole process, such as Oclgrind. Prints the counts.
+// variant, "work_group=64" the work-groups. For tools that watch a whole process, such as Oclgrind. Prints
+// the counts.
 #include <cstring>
 #include <exception>
 #include <string>
@@ -46,11 +47,24 @@ ptb::Variant take_variant(std::vector<char*>& arguments) {
     return variant;
 }
 
+/// Takes a word like "work_group=64" from the arguments; 0 without one.
+int take_work_group(std::vector<char*>& arguments) {
+    const std::string key = "work_group=";
+    int work_group = 0;
+    std::erase_if(arguments, [&](const std::string& word) {
+        if (word.rfind(key, 0) != 0) return false;
+        work_group = std::stoi(word.substr(key.size()));
+        return true;
+    });
+    return work_group;
+}
+
 }  // namespace
 
 int main(int all_arguments, char** words) {
     std::vector<char*> argv(words, words + all_arguments);
     const ptb::Variant variant = take_variant(argv);
+    const int work_group = take_work_group(argv);
     const std::size_t argc = argv.size();
     if (argc != 4 && argc != 6 && argc != 7) return 2;
     try {
@@ -61,14 +75,17 @@ int main(int all_arguments, char** words) {
         job.path_length = argc > 4 ? std::stoi(argv[5]) : 8;
         job.lanes = std::stoi(argv[2]);
         job.variant = variant;
+        job.work_group_x = work_group;
         const auto render =
             ptb::make_render(device, argv[1], scene_of(argv[3]), job, argc > 6 ? argv[6] : "");
         const ptb::Film film = ptb::finish(*render);
         fmt::print("{} on {}: {} segments\n", argv[1], device.info.name, film.segments);
         if (const auto counts = render->counts())
-            fmt::print("counted: {} segments, {} lanes, {} flops, {} roots, {} divisions, {} bytes\n",
-                       counts->segments, counts->lanes, counts->flops, counts->roots, counts->divisions,
-                       counts->bytes);
+            fmt::print(
+                "counted: {} segments, {} lanes, {} flops, {} roots, {} divisions, {} bytes, "
+                "{} searches, {} nodes, {} triangles\n",
+                counts->segments, counts->lanes, counts->flops, counts->roots, counts->divisions,
+                counts->bytes, counts->searches, counts->nodes, counts->triangles);
         return film.segments >= 128 ? 0 : 1;
     } catch (const std::exception& error) {
         fmt::print(stderr, "error: {}\n", error.what());

@@ -25,6 +25,13 @@ TEST(Counted, work_is_a_mean_over_segments_and_lanes) {
     EXPECT_DOUBLE_EQ(counted.lanes_alive.value(), 0.625);
 }
 
+TEST(Counted, steps_through_a_tree_are_means_over_rays_where_there_are_any) {
+    EXPECT_EQ(counted_of({1000, 1600, 234000, 10500, 500, 64}, 1000).nodes_per_ray, std::nullopt);
+    const Counted counted = counted_of({1000, 1600, 234000, 10500, 500, 64, 2000, 25000, 7000}, 1000);
+    EXPECT_DOUBLE_EQ(counted.nodes_per_ray.value(), 12.5);
+    EXPECT_DOUBLE_EQ(counted.triangles_per_ray.value(), 3.5);
+}
+
 TEST(Counted, lanes_that_cannot_be_seen_are_null_with_a_reason) {
     const Counted counted = counted_of({1000, 0, 234000, 10500, 500, 64}, 1000);
     EXPECT_EQ(counted.lanes_alive, std::nullopt);

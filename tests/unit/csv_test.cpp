@@ -125,6 +125,15 @@ TEST(Csv, joules_are_empty_where_they_could_not_be_read) {
     EXPECT_THAT(second_line(csv(f)), HasSubstr(",0.500000,163840.000000,120.000000,"));
 }
 
+TEST(Csv, trees_are_empty_where_there_are_none) {
+    ResultFile f = one_case();
+    EXPECT_THAT(csv(f),
+                HasSubstr(",nodes_per_ray,triangles_per_ray,tree_layout,tree_triangles,tree_references,"
+                          "tree_nodes,tree_leaves,tree_bytes,tree_depth,tree_sah_cost,tree_build_ms,"));
+    f.cases[0].tree = TreeRecord{"wide8", 1000, 1020, 130, 300, 90'000, 7, 21.5, 3.75};
+    EXPECT_THAT(second_line(csv(f)), HasSubstr(",,,wide8,1000,1020,130,300,90000,7,21.5,3.750000,"));
+}
+
 TEST(Csv, counts_and_shares_are_empty_where_there_are_none) {
     ResultFile f = one_case();
     EXPECT_THAT(second_line(csv(f)), HasSubstr(",,,,,,,,,,,,," + f.cases[0].params.device));

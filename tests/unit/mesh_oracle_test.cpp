@@ -90,28 +90,60 @@ TEST(MeshOracle, rays_meet_a_finer_and_finer_sphere_where_they_meet_the_sphere) 
     EXPECT_LT(errors[2], 2e-3);
 }
 
-TEST(MeshOracle, groups_of_triangles_hide_none) {
+/// Balls, a box, needles and ribbons, of which many share edges, planes and coordinates.
+Scene crowd() {
     Scene scene;
-    add_shape(scene, "sphere", 2, {1, {}, {0.3, 0, 0}}, matte(0.5));
+    add_shape(scene, "sphere", 3, {1, {}, {0.3, 0, 0}}, matte(0.5));
     add_shape(scene, "box", 2, {0.5, {0, 45, 0}, {-1, 0, 0}}, matte(0.5));
-    const Facets all(scene);
-    std::vector<Facets> alone;
-    for (const Mesh& mesh : scene.meshes)
-        for (const Face& face : mesh.faces) {
-            Scene one;
-            add_triangles(one, {{mesh.vertices[face[0]], mesh.vertices[face[1]], mesh.vertices[face[2]]}},
-                          matte(0.5));
-            alone.emplace_back(one);
-        }
-    SplitMix64 random(5);
+    add_shape(scene, "box", 2, {2.5, {}, {}}, matte(0.5));
+    add_shape(scene, "slivers", 1, {1, {}, {0, 0.5, 0}}, matte(0.5));
+    add_shape(scene, "hair", 0, {0.4, {}, {0, -1, 0}}, matte(0.5));
+    return scene;
+}
+
+/// Anywhere, along an axis, along one through coordinates of corners, in a plane of one, to a corner, to an
+/// edge. (Which triangle a ray in the plane of one meets is up to rounding.)
+PathRay hard_ray(const Facets& facets, SplitMix64& random, int kind) {
     const auto any = [&] { return 2 * random.uniform() - 1; };
-    for (int i = 0; i < 500; ++i) {
-        const Vec3 direction = i % 5 == 0 ? Vec3{0, 0, 1} : normalized({any(), any(), any()});
-        const PathRay ray = {{any(), any(), 2 * any()}, direction};
-        double nearest = std::numeric_limits<double>::infinity();
-        for (const Facets& one : alone) nearest = std::min(nearest, one.nearest(ray, -1, -1).distance);
-        EXPECT_EQ(all.nearest(ray, -1, -1).distance, nearest);
+    const auto facet = [&]() -> const Facet& {
+        return facets[static_cast<int>(random.next() % static_cast<std::uint64_t>(facets.count()))];
+    };
+    const Vec3 anywhere = {2 * any(), 2 * any(), 2 * any()};
+    if (kind == 0) return {anywhere, normalized({any(), any(), any()})};
+    if (kind == 1) return {anywhere, {0, any() < 0 ? -1.0 : 1.0, 0}};
+    if (kind == 2) return {{facet().a.x, facet().b.y, any()}, {-0.0, 0, 1}};
+    if (kind == 3) return {{facet().a.x, any(), any()}, normalized({0, any(), any()})};
+    if (kind == 4) return {anywhere, normalized(facet().c - anywhere)};
+    const Facet& beside = facet();
+    return {anywhere, normalized(beside.a + (beside.b - beside.a) * random.uniform() - anywhere)};
+}
+
+TEST(MeshOracle, rays_meet_through_the_tree_what_they_meet_among_all_triangles) {
+    const Facets facets(crowd());
+    SplitMix64 random(5);
+    int met = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const PathRay ray = hard_ray(facets, random, i % 6);
+        const FacetHit found = facets.nearest(ray, -1, -1), right = facets.nearest_of_each(ray, -1, -1);
+        ASSERT_EQ(found.facet, right.facet) << "kind " << i % 6;
+        ASSERT_EQ(found.distance, right.distance);
+        ASSERT_EQ(facets.nearest(ray, found.facet, -1).facet,
+                  facets.nearest_of_each(ray, found.facet, -1).facet);
+        met += right.facet >= 0 ? 1 : 0;
     }
+    EXPECT_GT(met, 2500) << "rays are among triangles";
+}
+
+TEST(MeshOracle, triangles_in_the_same_place_make_a_tree_that_ends) {
+    Scene scene;
+    const auto one = square(1);
+    std::vector<std::array<Vec3, 3>> many;
+    for (int i = 0; i < 1000; ++i) many.push_back(one[0]);
+    add_triangles(scene, many, matte(0.5));
+    const Facets facets(scene);
+    EXPECT_EQ(facets.nearest({{-0.5, 0.5, 0}, {0, 0, 1}}, -1, -1).facet, 0);
+    EXPECT_EQ(facets.nearest({{-0.5, 0.5, 0}, {0, 0, 1}}, 0, 1).facet, 2);
+    EXPECT_EQ(facets.nearest({{0.5, -0.5, 0}, {0, 0, 1}}, -1, -1).facet, -1);
 }
 
 TEST(MeshOracle, a_triangle_that_is_left_out_is_not_met) {

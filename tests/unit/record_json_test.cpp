@@ -53,6 +53,9 @@ Record full_record() {
         Efficiency{Noise{0.25, 0.01, 40.0, 36.5, 44.0}, Noise{0.125, 0.005, {}, {}, {}}, "film", ""};
     r.counted =
         Counted{2'000'000, 233.5, 10.5, 0.0, 1.75, {}, "one lane", {0.25, 0.5, 0.0, 0.001, "roots", 0.5}};
+    r.counted->nodes_per_ray = 12.5;
+    r.counted->triangles_per_ray = 3.25;
+    r.tree = TreeRecord{"wide8", 1000, 1020, 130, 300, 90'000, 7, 21.5, 3.75};
     return r;
 }
 

@@ -352,6 +352,25 @@ TEST(Table, peaks_have_a_row_each_and_failures_say_why) {
     EXPECT_THAT(section.notes, ElementsAre("gpu:1: killed by SIGSEGV (11)"));
 }
 
+TEST(Table, trees_have_a_row_for_each_way_of_searching_them) {
+    std::vector<Record> records(4, timed_record("gpu:0", "pt", 10, 5));
+    for (std::size_t i = 0; i < 3; ++i)
+        records[i].tree = TreeRecord{"bvh2", 1000, 1020, 130, 300, 90'000, 7, 21.5, 3.75};
+    records[2].params.variant.bvh_split = BvhSplit::sah;
+    const Section uncounted = trees_section(records);
+    ASSERT_EQ(uncounted.grid.rows.size(), 2u);
+    EXPECT_THAT(uncounted.grid.rows[0], ElementsAre("gpu:0", "pt", "thesis", "bvh2", "spatial", "1000",
+                                                    "1.020", "90.00", "7", "3.750", "21.50", "-", "-"));
+    EXPECT_THAT(uncounted.notes, ElementsAre(HasSubstr("--peaks")));
+    records[1].counted = Counted{};
+    records[1].counted->nodes_per_ray = 12.5;
+    records[1].counted->triangles_per_ray = 3.25;
+    const Section counted = trees_section(records);
+    EXPECT_EQ(counted.grid.rows[0][11], "12.50");
+    EXPECT_EQ(counted.grid.rows[0][12], "3.250");
+    EXPECT_TRUE(counted.notes.empty());
+}
+
 TEST(Table, limits_are_of_each_kernels_fastest_case) {
     std::vector<Record> records = {timed_record("gpu:0", "pt", 10, 5), timed_record("gpu:0", "pt", 100, 40),
                                    timed_record("gpu:0", "thesis", 10, 50),

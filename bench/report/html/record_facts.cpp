@@ -57,6 +57,12 @@ std::string build(const Build& b) {
                        number_text(b.build_ms));
 }
 
+std::string tree(const TreeRecord& t) {
+    return fmt::format("{} of {} triangles: {} references, {} nodes, {} bytes, SAH cost {}, built in {} ms",
+                       t.layout, t.triangles, t.references, t.nodes, t.bytes, number_text(t.sah_cost),
+                       number_text(t.build_ms));
+}
+
 std::string item(const char* name, const std::string& text) {
     return text.empty() ? "" : fmt::format("<dt>{}<dd>{}", name, html_text(text));
 }
@@ -73,6 +79,7 @@ std::string record_facts(const Record& record) {
     if (record.efficiency) items += item("noise", noise(*record.efficiency));
     if (energy && energy->joules) items += item("energy", number_text(*energy->joules) + " J a render");
     if (b) items += item("build", build(*b));
+    if (record.tree) items += item("tree", tree(*record.tree));
     if (b && !b->log.empty() && !timed(record))
         items += fmt::format("<dt>build log<dd><pre>{}</pre>", html_lines(shortened(b->log, most_log)));
     return items.empty() ? "" : fmt::format("<noscript><dl>{}</dl></noscript>", items);
