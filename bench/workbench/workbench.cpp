@@ -118,6 +118,13 @@ Rendered Workbench::picture(const Case& params, std::optional<double> time_s, co
     return render_picture(builds_, pace_, job, time_s, progress);
 }
 
+std::unique_ptr<PictureParts> Workbench::parts(const Case& params, const std::optional<RunCut>& cut) {
+    CaseJob job = resolve(params);
+    job.work.cut = cut;
+    refuse_unsupported(job, builds_.device());
+    return std::make_unique<PictureParts>(builds_, pace_, job);
+}
+
 std::vector<Peak> Workbench::peaks(const Stage& stage) const {
     return measure_peaks(builds_.device(), options_.timer, options_.kernel_dir,
                          [&](const std::string& name) { stage("peak " + name, 0); });

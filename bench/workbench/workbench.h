@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/workbench/picture_job.h"
+#include "bench/workbench/picture_parts.h"
 #include "bench/workbench/stopwatch.h"
 #include "bench/workbench/validator.h"
 
@@ -36,6 +37,10 @@ class Workbench {
     /// The picture of a case, or of what comes of it in `time_s`; see `render_picture`. Throws Unsupported
     /// for what this device cannot do, and what goes wrong.
     Rendered picture(const Case& params, std::optional<double> time_s, const Progress& progress);
+
+    /// This device's parts of a picture that several make, cut into runs as one of them was (`cut`), or as
+    /// suits this one. Throws Unsupported for what this device cannot do, and what goes wrong.
+    std::unique_ptr<PictureParts> parts(const Case& params, const std::optional<RunCut>& cut);
 
     /// What the device can do at most. Throws what goes wrong.
     std::vector<Peak> peaks(const Stage& stage) const;

@@ -48,8 +48,8 @@ class ProcessChannel : public Channel {
   private:
     Reply next(const Request& request) {
         std::string line;
-        ReadStatus status = process_.read_line(line, patience(), [this] { return to_stop(); });
-        if (status == ReadStatus::interrupted && request.kind == Request::Kind::render) {
+        ReadStatus status = process_.read_line(line, patience(), [&] { return to_stop(request.kind); });
+        if (status == ReadStatus::interrupted && may_end_early(request.kind)) {
             stop(request);
             status = process_.read_line(line, patience());
         }
@@ -66,10 +66,14 @@ class ProcessChannel : public Channel {
         is_stopping_ = true;
     }
 
-    /// Asked while waiting.
-    bool to_stop() {
+    /// Asked while waiting. What was rendered of a picture that is stopped is still wanted.
+    bool to_stop(Request::Kind kind) {
         if (is_waiting_for_launcher()) waiting_.look(last_words());
-        return !is_stopping_ && stopped_ && stopped_();
+        return kind != Request::Kind::give_film && !is_stopping_ && stopped_ && stopped_();
+    }
+
+    static bool may_end_early(Request::Kind kind) {
+        return kind == Request::Kind::render || kind == Request::Kind::render_parts;
     }
 
     bool is_waiting_for_launcher() const { return !launch_.launcher.empty() && !worker_; }
