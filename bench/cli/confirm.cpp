@@ -75,6 +75,7 @@ class Confirming {
         RunPlan plan = empty_plan(config_, options_.run);
         plan.devices = {device};
         plan.cases = expand(config_, plan.devices);
+        std::erase_if(plan.cases, [](const Case& c) { return !of_several_devices(c).empty(); });
         Coordinator coordinator(plan, channels(options_, config_, stopped_), stopped_);
         ResultFile result = header(device);
         const auto file = session_file(folder_, judged_.confirmation, *session.card, session.number);

@@ -47,6 +47,7 @@ constexpr AxisFlag axis_flags[] = {
     {"path_length", "--path-length", "most segments in a path"},
     {"work_group", "--wg", "work-group: implicit, 64, 16x16"},
     {"lanes", "--lanes", "rays traced together by a work-item: auto, 1, 4, 8, 16, 32"},
+    {"together", "--together", "who works at the same time, each at its own case: no, gpus, all"},
 };
 
 std::string variable_of(std::string flag) {

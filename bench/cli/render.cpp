@@ -62,6 +62,9 @@ Case case_of(const RenderFlags& flags, const CommonFlags& common) {
     for (const auto& [axis, text] : flags.axis_values)
         set_only_point(c, axis_of_values(axis, text), axis, text);
     check_case(c);
+    if (const std::string axis = of_several_devices(c); !axis.empty())
+        throw UsageError(
+            fmt::format("{}: render makes one picture; allowed: -d, which names its devices", axis));
     check_names_and_tell({c}, common);
     check_time(flags, c);
     return c;

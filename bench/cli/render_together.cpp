@@ -89,13 +89,10 @@ SharedJob job_of(const Options& options, const Case& params, const std::vector<D
 /// "pocl:0 61 %, pocl:1 39 %"
 std::string shares_text(const SharedPicture& picture) {
     std::vector<std::string> shares;
-    for (const DeviceParts& each : picture.by) {
-        std::uint64_t parts = 0;
-        for (const PartRange& range : each.parts) parts += range.count();
+    const auto all = static_cast<double>(picture.part_count);
+    for (const DeviceParts& each : picture.by)
         shares.push_back(
-            fmt::format("{} {:.1f} %", each.device,
-                        100.0 * static_cast<double>(parts) / static_cast<double>(picture.part_count)));
-    }
+            fmt::format("{} {:.1f} %", each.device, 100.0 * static_cast<double>(each.count()) / all));
     return fmt::format("{}", fmt::join(shares, ", "));
 }
 

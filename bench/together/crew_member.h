@@ -35,7 +35,8 @@ struct CrewMember {
     std::string gone{};       ///< why it makes nothing any more
     bool is_sharing = false;  ///< its worker knows the picture
     double ns_per_sample = 0;
-    double kept_s = 0, busy_s = 0;  ///< making what it did not, and did deliver
+    double kept_s = 0, busy_s = 0;           ///< making what it did not, and did deliver
+    double kept_device_s = 0, device_s = 0;  ///< by its own clock
     boost::asio::thread_pool thread{1};
 };
 

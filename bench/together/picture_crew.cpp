@@ -43,19 +43,23 @@ void wait_for(std::vector<std::future<void>>& all) {
 
 std::uint64_t SharedPicture::parts_made() const {
     std::uint64_t made = 0;
-    for (const DeviceParts& each : by)
-        for (const PartRange& range : each.parts) made += range.count();
+    for (const DeviceParts& each : by) made += each.count();
     return made;
 }
 
+double SharedPicture::parts_per_s() const {
+    return wall_s > 0 ? static_cast<double>(parts_made()) / wall_s : 0;
+}
+
 double SharedPicture::efficiency() const {
-    double parts_per_s = 0;
-    for (const DeviceParts& each : by) {
-        double parts = 0;
-        for (const PartRange& range : each.parts) parts += static_cast<double>(range.count());
-        if (each.busy_s > 0) parts_per_s += parts / each.busy_s;
-    }
-    return parts_per_s > 0 && wall_s > 0 ? static_cast<double>(parts_made()) / wall_s / parts_per_s : 0;
+    double all = 0;
+    for (const DeviceParts& each : by) all += each.parts_per_s();
+    return all > 0 ? parts_per_s() / all : 0;
+}
+
+double SharedPicture::speedup() const {
+    const double first = by.empty() ? 0 : by.front().parts_per_s();
+    return first > 0 ? parts_per_s() / first : 0;
 }
 
 struct PictureCrew::Impl {
@@ -117,7 +121,7 @@ struct PictureCrew::Impl {
     void lose_worker(CrewMember& member, const Reply& reply) {
         member.worker.close();
         member.is_sharing = false;
-        member.kept_s = 0;
+        member.kept_s = member.kept_device_s = 0;
         const std::string& reason = reply.end == Reply::End::answered ? reply.response.reason : reply.reason;
         if (reply.end == Reply::End::interrupted || --member.workers_left == 0) member.gone = reason;
         if (reply.end == Reply::End::interrupted) return;
@@ -174,15 +178,16 @@ struct PictureCrew::Impl {
 SharedPicture PictureCrew::Impl::make(HandOut& hand_out, const SharedProgress& progress) {
     SharedPicture picture;
     const FilmFolder films(members.size() * (job.params.size.pixels() * sizeof(FilmPixel) + 4096));
-    for (auto& member : members) member->kept_s = member->busy_s = 0;
+    for (auto& member : members)
+        member->kept_s = member->busy_s = member->kept_device_s = member->device_s = 0;
     const std::int64_t begin_ns = now_ns();
     on_all([&](CrewMember& member, std::size_t i) { work(member, i, hand_out, films, progress, picture); });
     picture.wall_s = seconds_since(begin_ns);
     picture.part_count = part_count;
     for (std::size_t i = 0; i < members.size(); ++i) {
         const DeviceInfo& device = members[i]->device;
-        picture.by.push_back(
-            {device.key, device.name, device.driver_version, hand_out.delivered_by(i), members[i]->busy_s});
+        picture.by.push_back({device.key, device.name, device.driver_version, hand_out.delivered_by(i),
+                              members[i]->busy_s, members[i]->device_s});
     }
     picture.remarks = std::exchange(remarks, {});
     if (!picture.whole()) check_anybody_left();
@@ -218,6 +223,7 @@ void PictureCrew::Impl::make_parts(CrewMember& member, std::size_t index, HandOu
         }
         hand_out.made(index, done->parts.end, done->seconds);
         member.kept_s += done->seconds;
+        member.kept_device_s += done->device_s;
         const std::lock_guard lock(mutex);
         progress(static_cast<double>(hand_out.made_so_far()) / static_cast<double>(part_count));
     }
@@ -239,6 +245,7 @@ void PictureCrew::Impl::deliver(CrewMember& member, std::size_t index, HandOut& 
     else
         picture.sums = std::move(sums);
     member.busy_s += std::exchange(member.kept_s, 0);
+    member.device_s += std::exchange(member.kept_device_s, 0);
     hand_out.delivered(index);
 }
 

@@ -32,6 +32,9 @@ struct SharedPicture {
     bool whole() const { return parts_made() == part_count; }
     /// The speed, in multiples of that of all devices together while each is making its parts.
     double efficiency() const;
+    /// The same, of the first device alone.
+    double speedup() const;
+    double parts_per_s() const;
 };
 
 /// Told the share that is done, from any thread, one call at a time.

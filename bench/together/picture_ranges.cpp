@@ -32,6 +32,12 @@ inline constexpr auto fields<DeviceParts> =
                     field("driver_version", &DeviceParts::driver_version),
                     required("parts", &DeviceParts::parts), field("busy_s", &DeviceParts::busy_s));
 
+std::uint64_t DeviceParts::count() const {
+    std::uint64_t sum = 0;
+    for (const PartRange& range : parts) sum += range.count();
+    return sum;
+}
+
 std::string fault_of(const PictureRanges& ranges) {
     std::vector<PartRange> all;
     for (const DeviceParts& device : ranges.devices)

@@ -15,7 +15,11 @@ namespace ptb {
 struct DeviceParts {
     std::string device, name, driver_version;
     std::vector<PartRange> parts{};
-    double busy_s = 0;  ///< making them, by the host's clock
+    double busy_s = 0;    ///< making them, by the host's clock
+    double device_s = 0;  ///< by the device's
+
+    std::uint64_t count() const;
+    double parts_per_s() const { return busy_s > 0 ? static_cast<double>(count()) / busy_s : 0; }
 };
 
 /// Who made what of a picture: all that its bits depend on.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,6 +20,14 @@ struct CaseResult {
     Image picture{};
 };
 
+/// How a case is run.
+struct RunHow {
+    double time_left_s = 0;
+    bool validate_only = false;
+    /// Whether others still measure, beside whom this device is to stay busy; empty: there are none.
+    std::function<bool()> others_measure{};
+};
+
 /// One device, and what measuring a case on it takes: kernels, verdicts, a stopwatch.
 class Workbench {
   public:
@@ -29,7 +38,7 @@ class Workbench {
     Workbench& operator=(const Workbench&) = delete;
 
     /// Runs one case to its record. Never throws for what a device, driver or kernel does.
-    CaseResult run(const Case& params, double time_left_s, const Stage& stage);
+    CaseResult run(const Case& params, const RunHow& how, const Stage& stage);
 
     /// Some samples of a case that `run` found valid; their film is checked too. Throws what goes wrong.
     Record round(const Case& params, int samples, const Stage& stage);
@@ -50,8 +59,8 @@ class Workbench {
 
   private:
     CaseJob resolve(const Case& params);
-    void attempt(const CaseJob& job, double time_left_s, const Stage& stage, CaseResult& result);
-    Image time(const CaseJob& job, double time_left_s, const Stage& stage, Record& record);
+    void attempt(const CaseJob& job, const RunHow& how, const Stage& stage, CaseResult& result);
+    Image time(const CaseJob& job, const RunHow& how, const Stage& stage, Record& record);
 
     MeasureOptions options_;
     std::filesystem::path data_folder_;

@@ -45,7 +45,8 @@ inline constexpr auto fields<Request> = std::make_tuple(
     required("kind", &Request::kind), required("protocol", &Request::protocol),
     field("number", &Request::number), field("measure", &Request::measure), field("params", &Request::params),
     field("time_left_s", &Request::time_left_s), field("scene_hash", &Request::scene_hash),
-    field("picture", &Request::picture), field("samples", &Request::samples),
+    field("picture", &Request::picture), field("validate_only", &Request::validate_only),
+    field("beside_others", &Request::beside_others), field("samples", &Request::samples),
     field("time_s", &Request::time_s), field("cut", &Request::cut), field("parts", &Request::parts),
     field("film_file", &Request::film_file));
 

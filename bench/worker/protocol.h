@@ -16,8 +16,8 @@ namespace ptb {
 inline constexpr int protocol_version = 4;
 
 /// Coordinator to worker, one JSON object a line. The first line is always `open`; `stop` is no request of
-/// its own, but ends the `render` or `render_parts` of its number early. A worker whose stdin ends is not
-/// wanted any more.
+/// its own, but ends the `render` or `render_parts` of its number early, and what a `run` does beside others.
+/// A worker whose stdin ends is not wanted any more.
 struct Request {
     enum class Kind {
         open,
@@ -39,6 +39,8 @@ struct Request {
     std::optional<double> time_left_s;  ///< run: what is left of the budget for this case
     std::string scene_hash;             ///< of the scene's content where the request comes from, or empty
     bool picture = false;               ///< run: send the timed picture, too
+    bool validate_only = false;         ///< run: what is timed later
+    bool beside_others = false;         ///< run: stay busy when measured, until `stop`
     std::optional<double> time_s;       ///< render: how long, whatever the case says of samples
     int samples = 0;                    ///< round: how many
     std::optional<RunCut> cut;          ///< share_picture: as an earlier device cut it into runs

@@ -197,8 +197,10 @@ class DeviceSession : public WorkerSession {
     CaseResult measured(const Request& request, const Stage& stage) {
         if (request.kind == Request::Kind::round)
             return {bench_->round(request.params, request.samples, stage)};
-        const double time_left_s = request.time_left_s.value_or(std::numeric_limits<double>::infinity());
-        return bench_->run(request.params, time_left_s, stage);
+        RunHow how{request.time_left_s.value_or(std::numeric_limits<double>::infinity()),
+                   request.validate_only};
+        if (request.beside_others) how.others_measure = [&] { return !stop_asked_(request.number); };
+        return bench_->run(request.params, how, stage);
     }
 
     Response measure(const Request& request, const Send& send) {

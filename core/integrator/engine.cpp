@@ -170,6 +170,7 @@ class EngineRender : public PartRender {
 
     FilmSums read_sums() override {
         FilmSums sums{job_.size, scale_, row_.independent_pixels};
+        sums.pixels.reserve(job_.size.pixels());
         sums.light_segments = read_rows([&](int, const std::vector<FilmPixel>& pixels) {
             sums.pixels.insert(sums.pixels.end(), pixels.begin(), pixels.end());
         });

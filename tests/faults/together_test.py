@@ -4,6 +4,7 @@ import json
 import unittest
 
 from faulty import FaultTest
+from ptbench import TINY
 
 WORK = ("render", "--size", "48x32", "--spp", "40", "--path-length", "6")
 
@@ -36,6 +37,17 @@ class Together(FaultTest):
         said = self.layered("crash call=clEnqueueNDRangeKernel how=segv", *WORK, "-d", "0,1", "-o", "x.pfm", code=1).stderr
         self.assertIn("SIGSEGV", said)
         self.assertEqual(self.scratch.files(), ["alone.pfm"])
+
+
+class AtTheSameTime(FaultTest):
+    def test_who_drops_out_spoils_the_times_of_the_others(self):
+        words = ("--all-devices", *TINY, "--together", "all")
+        hit = self.scratch.root / "hit"
+        fell, other = sorted(self.records(f"crash call=clEnqueueReadBuffer at=6 once={hit}", *words, code=None),
+                             key=lambda record: record["status"])
+        self.assertEqual((fell["status"], other["status"]), ("crash", "unstable"), [fell["reason"], other["reason"]])
+        self.assertIn(f"together all: {fell['params']['device']} dropped out: killed by", other["reason"])
+        self.assertEqual(self.scratch.processes(), [])
 
 
 if __name__ == "__main__":
