@@ -52,6 +52,7 @@ AbPlan plan_ab(const AbFlags& flags, const CommonFlags& common) {
     std::vector<Case> cases = expand(plan.base_config, {DeviceInfo()});
     const std::vector<Case> others = expand(plan.now_config, {DeviceInfo()});
     cases.insert(cases.end(), others.begin(), others.end());
+    refuse_several_devices(cases, "ab");
     check_names_and_tell(cases, common);
     return plan;
 }

@@ -69,6 +69,13 @@ std::vector<std::string> check_scene(const std::string& scene, const CommonFlags
 
 }  // namespace
 
+void refuse_several_devices(const std::vector<Case>& cases, const std::string& command) {
+    for (const Case& c : cases)
+        if (const std::string axis = of_several_devices(c); !axis.empty())
+            throw UsageError(fmt::format(
+                "{}: {} measures one device at a time; allowed: devices 1, together no", axis, command));
+}
+
 std::vector<std::string> check_names(const std::vector<Case>& cases, const CommonFlags& flags) {
     std::set<std::string> kernels, scenes;
     for (const Case& c : cases) {

@@ -15,4 +15,7 @@ std::vector<std::string> check_names(const std::vector<Case>& cases, const Commo
 /// The same, and says to stderr what is left out.
 void check_names_and_tell(const std::vector<Case>& cases, const CommonFlags& flags);
 
+/// Throws UsageError where a case is of several devices at once.
+void refuse_several_devices(const std::vector<Case>& cases, const std::string& command);
+
 }  // namespace ptb

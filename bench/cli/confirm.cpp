@@ -75,6 +75,7 @@ class Confirming {
         RunPlan plan = empty_plan(config_, options_.run);
         plan.devices = {device};
         plan.cases = expand(config_, plan.devices);
+        std::erase_if(plan.cases, [](const Case& c) { return !of_several_devices(c).empty(); });
         Coordinator coordinator(plan, channels(options_, config_, stopped_), stopped_);
         ResultFile result = header(device);
         const auto file = session_file(folder_, judged_.confirmation, *session.card, session.number);
@@ -85,9 +86,11 @@ class Confirming {
         if (stopped_()) return;
         result.run.finished_at = utc_now();
         Journal(file, result);
+        ++finished_;
     }
 
     const Outcome& outcome() const { return outcome_; }
+    int finished() const { return finished_; }
 
   private:
     ResultFile header(const DeviceInfo& device) const {
@@ -107,6 +110,7 @@ class Confirming {
     const Config& config_;
     Stopped stopped_;
     Outcome outcome_;
+    int finished_ = 0;
 };
 
 /// The fleet's plan, which this ptbench must be of.
@@ -127,8 +131,14 @@ void check_fleet(const FleetFolder& folder) {
             fmt::format("--confirm: {} has no plan.json: no fleet was measured there", folder.path.string()));
 }
 
-Outcome measure_sessions(const Options& options, const FleetFolder& folder, const Judged& judged,
-                         const std::vector<CardSession>& sessions) {
+/// What became of the sessions, and how many were measured.
+struct MeasuredSessions {
+    Outcome outcome;
+    int count = 0;
+};
+
+MeasuredSessions measure_sessions(const Options& options, const FleetFolder& folder, const Judged& judged,
+                                  const std::vector<CardSession>& sessions) {
     const Config config = config_here(folder);
     const DeviceList list = find_devices(options.common);
     const Stopped stopped = [&stop = watch_for_interruption()] { return stop.load(); };
@@ -140,9 +150,9 @@ Outcome measure_sessions(const Options& options, const FleetFolder& folder, cons
                                          sessions[i].number, label(*sessions[i].card)));
         confirming.measure(sessions[i]);
     }
-    Outcome outcome = confirming.outcome();
-    outcome.interrupted = stopped();
-    return outcome;
+    MeasuredSessions measured{confirming.outcome(), confirming.finished()};
+    measured.outcome.interrupted = stopped();
+    return measured;
 }
 
 }  // namespace
@@ -154,12 +164,12 @@ int confirm_command(const Options& options) {
     const NodeClaim claim(folder, node);
     const Judged before = judged(folder, read_fleet(folder));
     const std::vector<CardSession> sessions = sessions_here(folder, before, node);
-    Outcome outcome;
-    if (!sessions.empty()) outcome = measure_sessions(options, folder, before, sessions);
+    MeasuredSessions measured;
+    if (!sessions.empty()) measured = measure_sessions(options, folder, before, sessions);
+    Outcome outcome = measured.outcome;
     const Judged after = judged(folder, read_fleet(folder));
-    put(stdout, fmt::format("{}: {} sessions measured; {} of {} are there\n", node,
-                            outcome.interrupted ? 0 : sessions.size(), after.sessions,
-                            after.sessions + after.sessions_to_come));
+    put(stdout, fmt::format("{}: {} sessions measured; {} of {} are there\n", node, measured.count,
+                            after.sessions, after.sessions + after.sessions_to_come));
     if (!outcome.interrupted && after.sessions_to_come == 0) outcome |= show_fleet(options, folder);
     return exit_code(outcome);
 }

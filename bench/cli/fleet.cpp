@@ -166,7 +166,7 @@ std::string summary(const Part& part) {
 Outcome measure_part(const Options& options, Part& part) {
     const double start_s = steady_seconds();
     const Stopped stopped = [&stop = watch_for_interruption()] { return stop.load(); };
-    Coordinator coordinator(part.prepared.plan, channels(options, part.prepared.config, stopped), stopped);
+    Coordinator coordinator = coordinator_of(options, part.prepared.config, part.prepared.plan, stopped);
     run_part(options, part, coordinator);
     const bool interrupted = stopped();
     conclude(part, coordinator, steady_seconds() - start_s, interrupted);

@@ -47,6 +47,7 @@ constexpr AxisFlag axis_flags[] = {
     {"path_length", "--path-length", "most segments in a path"},
     {"work_group", "--wg", "work-group: implicit, 64, 16x16"},
     {"lanes", "--lanes", "rays traced together by a work-item: auto, 1, 4, 8, 16, 32"},
+    {"together", "--together", "who works at the same time, each at its own case: no, gpus, all"},
 };
 
 std::string variable_of(std::string flag) {
@@ -269,21 +270,37 @@ struct Grammar {
 
     void add_render(RenderFlags& flags) {
         render = app.add_subcommand("render", "make one picture");
-        render->add_option("-d,--device", flags.device, "one device [the first]");
+        auto* const devices =
+            render
+                ->add_option(
+                    "-d,--device", flags.devices,
+                    "as of a run; several make one picture together: gpu, 0,1; repeatable [the first]")
+                ->allow_extra_args(false)
+                ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+                ->expected(1);
         render->add_option("-o,--output", flags.output, "file: .exr, .pfm, .png or .ppm");
-        render->add_option("--seed", flags.seed, "seed of the random numbers")
-            ->check(whole_number(0, limits::most_seed))
-            ->capture_default_str();
-        render
-            ->add_option("--time", flags.time_s,
-                         "seconds to render for, in place of --spp: ends when every pixel has as many "
-                         "samples, and says how many")
-            ->check(seconds(false));
+        auto* const seed = render->add_option("--seed", flags.seed, "seed of the random numbers")
+                               ->check(whole_number(0, limits::most_seed))
+                               ->capture_default_str();
+        auto* const time =
+            render
+                ->add_option("--time", flags.time_s,
+                             "seconds to render for, in place of --spp: ends when every pixel has as many "
+                             "samples, and says how many")
+                ->check(seconds(false));
         render
             ->add_option("--aov", flags.aov,
                          "what pixels show: radiance, or cost: what a sample takes of a tree of triangles, "
                          "nodes as a heat map; in .exr and .pfm nodes, triangles and rays [radiance]")
             ->check(CLI::IsMember({"radiance", "cost"}));
+        render
+            ->add_option("--ranges", flags.ranges,
+                         "repeat a picture of several devices, by the file beside it: the same work, and who "
+                         "did what")
+            ->check(CLI::ExistingFile)
+            ->excludes(devices)
+            ->excludes(seed)
+            ->excludes(time);
         render->add_option("-a,--axis", flags.axes, "an axis' value: pixel_filter=centre; repeatable")
             ->allow_extra_args(false)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

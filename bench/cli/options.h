@@ -46,7 +46,9 @@ struct ListFlags {
 };
 
 struct RenderFlags {
-    std::string device, output, aov;
+    std::vector<std::string> devices;  ///< selectors, as often with commas
+    std::string output, aov;
+    std::string ranges;  ///< file that says who is to make what, or empty
     std::vector<std::string> axes;
     std::map<std::string, std::string> axis_values;
     std::uint64_t seed = 1;

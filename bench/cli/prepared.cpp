@@ -16,6 +16,7 @@
 #include "bench/plan/scene_file.h"
 #include "bench/record/continued.h"
 #include "bench/record/host.h"
+#include "bench/together/shared_case.h"
 #include "core/scene/content.h"
 
 namespace ptb {
@@ -52,6 +53,16 @@ ProgressStyle progress_style(const CommonFlags& flags) {
 
 std::vector<std::string> check_before_devices(const Config& config, const CommonFlags& flags) {
     return check_names(expand(config, {DeviceInfo()}), flags);
+}
+
+void check_isolation(const Config& config, const RunFlags& flags) {
+    if (flags.no_isolate) refuse_several_devices(expand(config, {DeviceInfo()}), "--no-isolate");
+}
+
+Coordinator coordinator_of(const Options& options, const Config& config, const RunPlan& plan,
+                           const Stopped& stopped) {
+    const OpenChannel open = channels(options, config, stopped);
+    return {plan, open, stopped, steady_seconds, shared_measurer(plan.measure, open, stopped)};
 }
 
 RunPlan empty_plan(const Config& config, const RunFlags& flags) {

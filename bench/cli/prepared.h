@@ -34,6 +34,13 @@ ResultFile start_result(const Prepared& prepared, const Options& options,
 
 OpenChannel channels(const Options& options, const Config& config, const Stopped& stopped);
 
+/// Throws UsageError where cases of several devices are to be measured in this process.
+void check_isolation(const Config& config, const RunFlags& flags);
+
+/// What drives the workers of a run.
+Coordinator coordinator_of(const Options& options, const Config& config, const RunPlan& plan,
+                           const Stopped& stopped);
+
 /// Measures the cases of the plan, which the journal hears of, and adds their records to those that the
 /// result has.
 void measure_plan(const CommonFlags& flags, const Prepared& prepared, Coordinator& coordinator,

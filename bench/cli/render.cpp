@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -11,6 +10,8 @@
 #include "bench/cli/exit_code.h"
 #include "bench/cli/interrupt.h"
 #include "bench/cli/outputs.h"
+#include "bench/cli/render_together.h"
+#include "bench/cli/rendering.h"
 #include "bench/cli/tell.h"
 #include "bench/report/heat_map.h"
 #include "bench/report/words.h"
@@ -21,8 +22,6 @@
 namespace ptb {
 namespace {
 
-constexpr std::chrono::minutes longest_silence(10);  ///< compilers may take their time
-
 void check_output(const std::string& output) {
     if (output.empty()) throw UsageError("render: -o FILE is missing (.exr, .pfm, .png or .ppm)");
     if (!is_image_file(output)) {
@@ -30,13 +29,6 @@ void check_output(const std::string& output) {
             "-o: found \"{}\"; allowed: a file that ends in .exr, .pfm, .png or .ppm", printable(output)));
     }
     check_writable("-o", output);
-}
-
-DeviceInfo choose_device(const std::string& selector, const std::vector<DeviceInfo>& devices) {
-    const auto chosen = select_devices({selector.empty() ? "all" : selector}, devices);
-    if (chosen.size() == 1 || selector.empty()) return chosen.at(0);
-    throw UsageError(fmt::format("-d: \"{}\" is {} devices; render takes one, e.g. -d {}", selector,
-                                 chosen.size(), chosen[0].key));
 }
 
 void set_only_point(Case& c, const Axis& axis, const std::string& flag, const std::string& text) {
@@ -72,34 +64,13 @@ Case case_of(const RenderFlags& flags, const CommonFlags& common) {
     for (const auto& [axis, text] : flags.axis_values)
         set_only_point(c, axis_of_values(axis, text), axis, text);
     check_case(c);
+    if (const std::string axis = of_several_devices(c); !axis.empty())
+        throw UsageError(
+            fmt::format("{}: render makes one picture; allowed: -d, which names its devices", axis));
     check_names_and_tell({c}, common);
     check_time(flags, c);
     return c;
 }
-
-MeasureOptions options_of(const RenderFlags& flags, const CommonFlags& common) {
-    MeasureOptions options;
-    options.seed = flags.seed;
-    options.kernel_dir = common.kernel_dir;
-    return options;
-}
-
-/// Shows the share that is done on a terminal, while it lives.
-class ShareDone {
-  public:
-    explicit ShareDone(bool quiet) : live_(!quiet && is_live(stderr)) {}
-    ~ShareDone() {
-        if (live_) put(stderr, "\r\033[K");
-    }
-    ShareDone(const ShareDone&) = delete;
-    ShareDone& operator=(const ShareDone&) = delete;
-    void show(const Response& progress) const {
-        if (live_ && progress.stage == "render") put(stderr, fmt::format("\r{:3.0f} %", 100 * progress.done));
-    }
-
-  private:
-    bool live_;
-};
 
 /// The answer to a request to render; throws why there is none.
 Reply rendered(DeviceWorker& worker, const Case& c, const RenderFlags& flags, bool quiet) {
@@ -113,7 +84,9 @@ Reply rendered(DeviceWorker& worker, const Case& c, const RenderFlags& flags, bo
     request.time_s = flags.time_s;
     request.cost = flags.aov == "cost";
     const ShareDone share(quiet);
-    Reply reply = worker.request(request, [&](const Response& progress) { share.show(progress); });
+    Reply reply = worker.request(request, [&](const Response& progress) {
+        if (progress.stage == "render") share.show(progress.done);
+    });
     if (reply.end != Reply::End::answered) throw std::runtime_error(reply.reason);
     if (reply.response.kind == Response::Kind::refused) throw UsageError(reply.response.reason);
     if (reply.response.kind != Response::Kind::rendered) throw std::runtime_error(reply.response.reason);
@@ -140,28 +113,48 @@ std::string outcome_text(const RenderFlags& flags, const Response& rendered,
     return fmt::format("written: {} ({})", flags.output, fmt::join(remarks, "; "));
 }
 
-}  // namespace
-
-int render_command(const Options& options) {
+int render_alone(const Options& options, Case c, const DeviceInfo& device) {
     const RenderFlags& flags = options.render;
-    check_output(flags.output);
-    Case c = case_of(flags, options.common);
-    const DeviceList list = find_devices(options.common);
-    if (!any_usable(list)) {
-        put(stderr, no_device_text(list) + "\n");
-        return exit_codes::no_device;
-    }
-    const DeviceInfo device = choose_device(flags.device, list.devices);
     c.device = device.key;
     const Stopped stopped = [&stop = watch_for_interruption()] { return stop.load(); };
     DeviceWorker worker(device, process_channels(worker_launch(options.common), longest_silence, stopped),
-                        options_of(flags, options.common));
+                        render_options(flags, options.common));
     const Reply reply = rendered(worker, c, flags, options.common.quiet);
     if (options.common.verbose && !reply.printed.empty())
         tell(options.common, "printed by the driver:\n" + reply.printed);
     const std::vector<std::string> remarks = write_picture(flags, *reply.picture);
     tell(options.common, outcome_text(flags, reply.response, remarks));
     return reply.response.whole ? exit_codes::done : exit_codes::interrupted;
+}
+
+}  // namespace
+
+MeasureOptions render_options(const RenderFlags& flags, const CommonFlags& common) {
+    MeasureOptions options;
+    options.seed = flags.seed;
+    options.kernel_dir = common.kernel_dir;
+    return options;
+}
+
+void ShareDone::show(double done) const {
+    if (live_) put(stderr, fmt::format("\r{:3.0f} %", 100 * done));
+}
+
+int render_command(const Options& options) {
+    const RenderFlags& flags = options.render;
+    check_output(flags.output);
+    std::optional<PictureRanges> repeated;
+    if (!flags.ranges.empty()) repeated = picture_to_repeat(flags, options.common);
+    const Case c = repeated ? repeated->params : case_of(flags, options.common);
+    const DeviceList list = find_devices(options.common);
+    if (!any_usable(list)) {
+        put(stderr, no_device_text(list) + "\n");
+        return exit_codes::no_device;
+    }
+    const auto devices =
+        repeated ? devices_that_made(*repeated, list.devices) : devices_to_share(flags.devices, list.devices);
+    const bool together = repeated || devices.size() > 1;
+    return together ? render_together(options, c, devices, repeated) : render_alone(options, c, devices[0]);
 }
 
 }  // namespace ptb

@@ -36,6 +36,7 @@ Prepared prepare(const Options& options) {
     prepared.earlier = earlier_run(options.run);
     prepared.config = config_for(options, prepared.earlier);
     prepared.remarks = check_before_devices(prepared.config, options.common);
+    check_isolation(prepared.config, options.run);
     prepared.list = find_devices(options.common);
     if (!any_usable(prepared.list)) return prepared;
     RunPlan& plan = prepared.plan = empty_plan(prepared.config, options.run);
@@ -97,7 +98,7 @@ int measure(const Options& options, Prepared& prepared, ResultFile& result, cons
     Baseline baseline(options.run);
     Outputs outputs(options.run, prepared.config.name, result.run.started_at);
     prepared.plan.image_files = outputs.pictures(prepared.config.pictures, prepared.planned, result.cases);
-    Coordinator coordinator(prepared.plan, channels(options, prepared.config, stopped), stopped);
+    Coordinator coordinator = coordinator_of(options, prepared.config, prepared.plan, stopped);
     run_plan(options, prepared, outputs, coordinator, result);
     result.run.wall_s += steady_seconds() - start_s;
     result.run.coordinator_cpu_s += process_cpu_s();
@@ -117,7 +118,7 @@ int measure(const Options& options, Prepared& prepared, ResultFile& result, cons
 
 int dry_run(const Options& options, const Prepared& prepared, const Stopped& stopped) {
     const RunPlan& plan = prepared.plan;
-    Coordinator coordinator(plan, channels(options, prepared.config, stopped), stopped);
+    Coordinator coordinator = coordinator_of(options, prepared.config, plan, stopped);
     const Forecast forecast = options.common.quiet ? Forecast(plan.measure) : coordinator.estimate();
     tell(options.common, prediction_text(forecast, plan.cases, plan.max_total_time_s));
     put(stdout, plan_text(plan.cases, forecast));

@@ -116,6 +116,7 @@ class Tuning {
 int tune_command(const Options& options) {
     const RunFlags& flags = options.tune.run;
     const Config config = configured(flags, options.common);
+    refuse_several_devices(expand(config, {DeviceInfo()}), "tune");
     check_names_and_tell(expand(config, {DeviceInfo()}), options.common);
     heats_of(config, DeviceInfo());
     const auto file = checked_file(flags);

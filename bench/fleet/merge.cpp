@@ -51,17 +51,27 @@ ResultFile frame_of(const FleetPlan& plan, const std::vector<ResultFile>& header
     return frame;
 }
 
-/// Writes a result file whose cases are too many to be held at once: they come after all else.
+/// Writes a result file whose cases are too many to be held at once: they come after all else. Beside the
+/// file, until it is whole; what never is, is removed.
 class ResultWriter {
   public:
     ResultWriter(const fs::path& file, const ResultFile& frame)
-        : out_(file, std::ios::binary | std::ios::trunc) {
+        : file_(file),
+          temporary_(temporary_beside(file)),
+          out_(temporary_, std::ios::binary | std::ios::trunc) {
         Json json = result_to_json(frame);
         json.erase("cases");
         json.erase("fits");
         const std::string text = dump_json(json, 1);
         out_ << text.substr(0, text.rfind("\n}")) << ",\n \"cases\": [";
     }
+
+    ~ResultWriter() {
+        std::error_code ignored;
+        fs::remove(temporary_, ignored);
+    }
+    ResultWriter(const ResultWriter&) = delete;
+    ResultWriter& operator=(const ResultWriter&) = delete;
 
     void add(const std::string& node, std::vector<Record> records) {
         for (Record& record : records) {
@@ -73,14 +83,15 @@ class ResultWriter {
         fits_.insert(fits_.end(), fits.begin(), fits.end());
     }
 
-    /// False where not all could be written.
-    bool end() {
+    /// Puts the file in place, or says why not.
+    std::error_code end() {
         out_ << "\n ],\n \"fits\": " << dump_json(encode(fits_)) << "\n}\n";
         out_.close();
-        return out_.good();
+        return out_.good() ? put_in_place(temporary_, file_) : std::make_error_code(std::errc::io_error);
     }
 
   private:
+    fs::path file_, temporary_;
     std::ofstream out_;
     std::vector<SppFit> fits_;
     bool first_ = true;
@@ -106,13 +117,10 @@ bool is_whole(const FleetFolder& folder, const FleetPlan& plan) {
 }
 
 Fleet merge(const FleetFolder& folder) {
-    const fs::path temporary = temporary_beside(folder.result());
-    ResultWriter writer(temporary, frame_of(read_plan(folder), headers_of(folder)));
+    ResultWriter writer(folder.result(), frame_of(read_plan(folder), headers_of(folder)));
     Fleet fleet = read_fleet(
         folder, [&](const std::string& node, const ResultFile& run) { writer.add(node, run.cases); });
-    const std::error_code error =
-        writer.end() ? put_in_place(temporary, folder.result()) : std::make_error_code(std::errc::io_error);
-    if (error)
+    if (const std::error_code error = writer.end())
         throw std::runtime_error(
             fmt::format("cannot write {}: {}", folder.result().string(), error.message()));
     return fleet;

@@ -30,6 +30,19 @@ std::int64_t timed_pass(Render& render, const Timing& timing, std::uint64_t most
     return covered_ns(launches);
 }
 
+/// Passes until nothing is left, or until `progress` ends it, which is told of the share that is done. Adds
+/// what the events cover; returns whether to go on.
+bool timed_passes(Render& render, const Timing& timing, const Progress& progress, TimedRender& sample,
+                  std::int64_t& covered_ns) {
+    const auto all = static_cast<double>(render.samples_left());
+    bool going = true;
+    while (going && render.samples_left() > 0) {
+        covered_ns += timed_pass(render, timing, render.samples_left(), sample);
+        going = progress(1 - static_cast<double>(render.samples_left()) / all);
+    }
+    return going;
+}
+
 /// How far a render has come that is to last `time_s`.
 struct Halfway {
     std::uint64_t done = 0, left = 0, round = 1;  ///< samples
@@ -63,17 +76,20 @@ TimedRender timed_render(Render& render, const Timing& timing) {
     bool going = true;
     for (int i = 0; i < timing.renders && going; ++i) {
         render.restart();
-        const auto all = static_cast<double>(render.samples_left());
-        while (going && render.samples_left() > 0) {
-            covered += timed_pass(render, timing, render.samples_left(), sample);
-            const double done = 1 - static_cast<double>(render.samples_left()) / all;
-            going = timing.progress((i + done) / timing.renders);
-        }
+        const auto of_all = [&](double done) { return timing.progress((i + done) / timing.renders); };
+        going = timed_passes(render, timing, of_all, sample, covered);
     }
     const std::int64_t woken_late_ns = scheduled_thread().waited_ns - waited_ns;
     sample.timer.disagrees = clocks_disagree(covered, sample.time.host_ns - woken_late_ns);
     if (sample.timer.disagrees) sample.time.cause = cause::clocks_differ;
     if (!sample.timer.fault.empty()) sample.time.cause = cause::timer_fault;
+    return sample;
+}
+
+TimedRender timed_rest(Render& render, const Timing& timing) {
+    TimedRender sample;
+    std::int64_t covered_ns = 0;
+    timed_passes(render, timing, timing.progress, sample, covered_ns);
     return sample;
 }
 

@@ -45,6 +45,9 @@ struct Timing {
 /// cutter, the host's clock where they are useless.
 TimedRender timed_render(Render& render, const Timing& timing);
 
+/// Renders what is left, pass by pass. `progress` is told of the share of it.
+TimedRender timed_rest(Render& render, const Timing& timing);
+
 /// Renders from an empty film for about `time_s` by the host's clock, to the nearest end of a round of
 /// `round_samples` samples, at least one. `progress` is told of the time.
 void render_for(Render& render, double time_s, std::uint64_t round_samples, const Timing& timing);

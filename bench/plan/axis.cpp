@@ -2,6 +2,7 @@
 #include <cctype>
 #include <charconv>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -72,6 +73,22 @@ int lanes_of(const std::string& axis, const std::string& text) {
     return lanes;
 }
 
+int devices_of(const std::string& axis, const std::string& text) {
+    if (text == "all") return 0;
+    const auto count = positive(text);
+    if (!count) refuse(axis, text, "a number of devices, or all");
+    return *count;
+}
+
+constexpr const char* together_words[] = {"no", "gpus", "all"};
+
+Together together_of(const std::string& axis, const std::string& text) {
+    const auto* const found = std::find(std::begin(together_words), std::end(together_words), text);
+    if (found == std::end(together_words))
+        refuse(axis, text, fmt::format("{}", fmt::join(together_words, ", ")));
+    return static_cast<Together>(found - std::begin(together_words));
+}
+
 void set_choice(Variant& variant, const VariantAxis& axis, const std::string& text) {
     const auto found = std::find(axis.values.begin(), axis.values.end(), text);
     if (found == axis.values.end()) refuse(axis.name, text, fmt::format("{}", fmt::join(axis.values, ", ")));
@@ -99,6 +116,8 @@ const std::vector<std::pair<std::string, std::string>>& axis_help() {
             all.emplace_back(axis.name, fmt::format("{}: {}", axis.help, fmt::join(axis.values, ", ")));
         all.emplace_back("lanes", "rays traced together by one work-item: auto, 1, 4, 8, 16, 32");
         all.emplace_back("work_group", "implicit (the runtime chooses), N, or NxM");
+        all.emplace_back("devices", "devices that make one picture, the first of their type: 1, 2, ..., all");
+        all.emplace_back("together", "who works at the same time, each at its own case: no, gpus, all");
         return all;
     }();
     return help;
@@ -129,6 +148,8 @@ void set_case_value(Case& c, const std::string& axis, const std::string& value) 
     if (axis == "path_length") c.path_length = integer(axis, value);
     if (axis == "lanes") c.lanes = lanes_of(axis, value);
     if (axis == "work_group") c.work_group = work_group_of(axis, value);
+    if (axis == "devices") c.devices = devices_of(axis, value);
+    if (axis == "together") c.together = together_of(axis, value);
     for (const VariantAxis& choice : variant_axes())
         if (axis == choice.name) set_choice(c.variant, choice, value);
 }
@@ -142,10 +163,17 @@ std::string case_value(const Case& c, const std::string& axis) {
     if (axis == "path_length") return std::to_string(c.path_length);
     if (axis == "lanes") return c.lanes == 0 ? "auto" : std::to_string(c.lanes);
     if (axis == "work_group") return to_string(c.work_group);
+    if (axis == "devices") return c.devices == 0 ? "all" : std::to_string(c.devices);
+    if (axis == "together") return together_words[static_cast<std::size_t>(c.together)];
     for (const VariantAxis& choice : variant_axes())
         if (axis == choice.name) return choice.value_of(c.variant);
     check_axis_name(axis);
     return {};
+}
+
+std::string of_several_devices(const Case& c) {
+    if (c.devices != 1) return "devices " + case_value(c, "devices");
+    return c.together == Together::no ? "" : "together " + case_value(c, "together");
 }
 
 std::string to_string(WorkGroup work_group) {

@@ -16,6 +16,9 @@ struct WorkGroup {
     auto operator<=>(const WorkGroup&) const = default;
 };
 
+/// Who works at the same time as a case's device: nobody, all GPUs, or all devices, each at its own case.
+enum class Together { no, gpus, all };
+
 /// One point of the sweep. Plain data: two equal cases are the same work.
 struct Case {
     std::string device;     ///< key of a DeviceInfo, "pocl:0"
@@ -28,6 +31,8 @@ struct Case {
     int lanes = 0;  ///< rays traced together by one work-item: 1, 4, 8, 16 or 32; 0 lets the device decide
     bool lanes_tuned = false, work_group_tuned = false;  ///< nobody named a value: `ptbench tune` found this
     Variant variant{};  ///< memory, queue, dispatch, pixel filter, random numbers, build
+    int devices = 1;    ///< that make one picture: this one, and those of its type that follow; 0: all
+    Together together = Together::no;
     auto operator<=>(const Case&) const = default;
 };
 

@@ -111,6 +111,9 @@ void override_axis(Config& config, const Axis& axis);
 std::vector<DeviceInfo> select_devices(const std::vector<std::string>& selectors,
                                        const std::vector<DeviceInfo>& devices);
 
+/// "devices 2": why a command that measures one device at a time does not do a case, or nothing.
+std::string of_several_devices(const Case& c);
+
 /// All cases of the config on these devices: device-major, series in order, equal cases once. `tuned` serves
 /// where a series leaves the launch to the program (`apply_tuned`).
 std::vector<Case> expand(const Config& config, const std::vector<DeviceInfo>& devices,

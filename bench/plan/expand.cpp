@@ -65,13 +65,24 @@ SeriesCases expand_for_any_device(const Config& config) {
     return all;
 }
 
+/// A picture of several devices is planned with the first of them alone. Sets how many "all" are, once
+/// devices are known.
+bool is_planned_with(const DeviceInfo& device, const std::vector<DeviceInfo>& devices, Case& c) {
+    if (c.devices == 1 || device.key.empty()) return true;
+    const auto same_type = [&](const DeviceInfo& each) { return each.type == device.type; };
+    if (c.devices == 0)
+        c.devices = static_cast<int>(std::count_if(devices.begin(), devices.end(), same_type));
+    return std::find_if(devices.begin(), devices.end(), same_type)->key == device.key;
+}
+
 /// Equal cases once.
-void append_for(const DeviceInfo& device, const SeriesCases& plan, const std::vector<Case>& tuned,
-                std::vector<Case>& cases) {
+void append_for(const DeviceInfo& device, const std::vector<DeviceInfo>& devices, const SeriesCases& plan,
+                const std::vector<Case>& tuned, std::vector<Case>& cases) {
     std::set<Case> seen;
     for (const auto& [series, series_cases] : plan)
         for (Case c : series_cases) {
             c.device = device.key;
+            if (!is_planned_with(device, devices, c)) continue;
             apply_tuned(c, series, tuned);
             if (seen.insert(c).second) cases.push_back(c);
         }
@@ -97,7 +108,7 @@ std::vector<Case> expand(const Config& config, const std::vector<DeviceInfo>& de
                          const std::vector<Case>& tuned) {
     const auto plan = expand_for_any_device(config);
     std::vector<Case> cases;
-    for (const DeviceInfo& device : devices) append_for(device, plan, tuned, cases);
+    for (const DeviceInfo& device : devices) append_for(device, devices, plan, tuned, cases);
     return cases;
 }
 

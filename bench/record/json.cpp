@@ -76,7 +76,8 @@ void decode(const Json& json, const Where& where, Case& c) {
     decode(member(json, where, "device"), Where(where, "device"), c.device);
     for (const auto& axis : axis_names()) {
         // Files of earlier versions lack these: their value is the default.
-        if (is_variant_axis(axis) && !json.contains(axis)) continue;
+        const bool is_later = is_variant_axis(axis) || axis == "devices" || axis == "together";
+        if (is_later && !json.contains(axis)) continue;
         const Where at(where, axis);
         const auto text = axis_text(member(json, where, axis.c_str()), at, axis);
         try {

@@ -125,13 +125,19 @@ inline constexpr auto fields<GpuState> = std::make_tuple(
     field("throttle", &GpuState::throttle));
 
 template <>
+inline constexpr auto fields<SharedWork> = std::make_tuple(required("devices", &SharedWork::devices),
+                                                           required("device_ms", &SharedWork::device_ms),
+                                                           required("speedup", &SharedWork::speedup),
+                                                           required("efficiency", &SharedWork::efficiency));
+
+template <>
 inline constexpr auto fields<Record> = std::make_tuple(
     required("params", &Record::params), required("status", &Record::status),
     field("reason", &Record::reason), field("work", &Record::work), field("build", &Record::build),
     field("samples", &Record::samples), field("statistics", &Record::statistics),
     field("validation", &Record::validation), field("energy", &Record::energy),
     field("efficiency", &Record::efficiency), field("counted", &Record::counted), field("gpu", &Record::gpu),
-    field("tree", &Record::tree));
+    field("tree", &Record::tree), field("shared", &Record::shared));
 
 template <>
 inline constexpr auto fields<DeviceInfo> = std::make_tuple(

@@ -162,6 +162,15 @@ struct GpuState {
     bool operator==(const GpuState&) const = default;
 };
 
+/// How several devices made one picture.
+struct SharedWork {
+    std::vector<std::string> devices{};  ///< their keys
+    std::vector<double> device_ms{};     ///< of each, by its own clock, in the last sample
+    double speedup = 0;     ///< over the first device alone, by the speed at which it made its parts
+    double efficiency = 0;  ///< share of the speed of all, each at its own parts
+    bool operator==(const SharedWork&) const = default;
+};
+
 /// What became of one planned case. The one record type of protocol, journal and result file.
 struct Record {
     Case params;
@@ -176,7 +185,8 @@ struct Record {
     std::optional<Efficiency> efficiency;
     std::optional<Counted> counted;  ///< with --peaks
     std::optional<GpuState> gpu{};
-    std::optional<TreeRecord> tree{};  ///< where the scene has meshes
+    std::optional<TreeRecord> tree{};    ///< where the scene has meshes
+    std::optional<SharedWork> shared{};  ///< where `params.devices` are several
     bool operator==(const Record&) const = default;
 };
 

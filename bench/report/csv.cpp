@@ -118,6 +118,18 @@ Columns variant_columns() {
     return columns;
 }
 
+Cell of_shared(double SharedWork::*member) {
+    return [member](const Row& r) { return r.record.shared ? real(*r.record.shared.*member, 6) : ""; };
+}
+
+const Columns& several_columns() {
+    static const Columns columns = {{"devices", axis("devices")},
+                                    {"together", axis("together")},
+                                    {"speedup", of_shared(&SharedWork::speedup)},
+                                    {"devices_efficiency", of_shared(&SharedWork::efficiency)}};
+    return columns;
+}
+
 const Columns& case_columns() {
     static const Columns columns = {
         {"kernel", axis("kernel")},
@@ -253,9 +265,10 @@ std::vector<std::string> sample_cells(std::size_t index, const TimeSample& s) {
 
 std::string csv(const ResultFile& result) {
     static const Columns work = {{"spp", axis("spp")}, {"time_ms", time_ms}};
-    const auto columns = joined({device_columns(), work, case_columns(), statistics_columns(),
-                                 other_columns(), variant_columns(), noise_columns("", &Efficiency::all),
-                                 noise_columns("_best_99", &Efficiency::best_99)});
+    const auto columns =
+        joined({device_columns(), work, case_columns(), statistics_columns(), other_columns(),
+                variant_columns(), several_columns(), noise_columns("", &Efficiency::all),
+                noise_columns("_best_99", &Efficiency::best_99)});
     std::string output = line(header(columns));
     for (const Record& record : result.cases)
         output += line(cells(columns, {record, device_of(result, record.params.device)}));
@@ -279,7 +292,8 @@ std::string csv_samples(const ResultFile& result) {
     static const Columns spp = {{"spp", axis("spp")}};
     static const Columns renders = {
         {"renders", of_work([](const Work& w) { return std::to_string(w.renders); })}};
-    const auto columns = joined({device_columns(), spp, case_columns(), renders, variant_columns()});
+    const auto columns =
+        joined({device_columns(), spp, case_columns(), renders, variant_columns(), several_columns()});
     auto names = header(columns);
     for (const char* name :
          {"sample", "kernel_ns", "sum_ns", "host_ns", "queued_ns", "submit_ns", "probe_ns", "cause"})

@@ -13,8 +13,9 @@ std::vector<Section> report_sections(const ResultFile& result, const PublishedTa
                                 devices_section(result), kernels_section(result), efficiency_section(result)};
     for (Section& section : sweep_sections(result)) all.push_back(std::move(section));
     for (const Section& section :
-         {peaks_section(result.peaks), limits_section(result.cases), trees_section(result.cases),
-          published_section(result, published), summary_section(result), remarks_section(result)})
+         {shared_section(result), peaks_section(result.peaks), limits_section(result.cases),
+          trees_section(result.cases), published_section(result, published), summary_section(result),
+          remarks_section(result)})
         all.push_back(section);
     for (Section& section : all)
         if (!section.grid.rows.empty() || (section.grid.columns.empty() && !section.notes.empty()))

@@ -31,6 +31,8 @@ Section kernels_section(const ResultFile& result);
 Section efficiency_section(const ResultFile& result);
 /// Noise and efficiency of every case that has them.
 Section noise_section(const ResultFile& result);
+/// Pictures that several devices made.
+Section shared_section(const ResultFile& result);
 /// Peaks, one a row.
 Section peaks_section(const std::vector<DevicePeaks>& peaks);
 /// Counted work and shares of the peaks: the fastest case of each device, kernel and scene.

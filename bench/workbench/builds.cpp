@@ -67,6 +67,10 @@ std::unique_ptr<Render> Builds::make(const CaseJob& job) {
     return job.kernel->make(device_, built(job, options(job)).program, *job.scene, job.work);
 }
 
+std::unique_ptr<PartRender> Builds::make_parts(const CaseJob& job) {
+    return job.kernel->make_parts(device_, built(job, options(job)).program, *job.scene, job.work);
+}
+
 std::unique_ptr<Render> Builds::make_counting(const CaseJob& job) {
     return job.kernel->make(device_, built(job, options(job) + count_option).program, *job.scene, job.work);
 }

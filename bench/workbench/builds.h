@@ -29,6 +29,7 @@ class Builds {
     Build described(const CaseJob& job);
 
     std::unique_ptr<Render> make(const CaseJob& job);
+    std::unique_ptr<PartRender> make_parts(const CaseJob& job);
     /// By an instrumented build of its kernel.
     std::unique_ptr<Render> make_counting(const CaseJob& job);
 

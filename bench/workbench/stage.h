@@ -7,7 +7,8 @@
 
 namespace ptb {
 
-/// Told how far a case has come: stage "build", "validate", "idle", "warmup", "sample", "noise" or "count",
+/// Told how far a case has come: stage "build", "validate", "idle", "warmup", "sample",
+/// "beside" (others), "noise" or "count",
 /// and the share of it done.
 using Stage = std::function<void(const std::string& stage, double done)>;
 

@@ -64,17 +64,17 @@ CaseJob Workbench::resolve(const Case& params) {
     return job;
 }
 
-CaseResult Workbench::run(const Case& params, double time_left_s, const Stage& stage) {
+CaseResult Workbench::run(const Case& params, const RunHow& how, const Stage& stage) {
     CaseResult result;
     result.record.params = params;
     conclude_attempt(result.record, [&] {
         if (!options_.skip_time) stopwatch_.rest(stage);
-        attempt(resolve(params), time_left_s, stage, result);
+        attempt(resolve(params), how, stage, result);
     });
     return result;
 }
 
-void Workbench::attempt(const CaseJob& job, double time_left_s, const Stage& stage, CaseResult& result) {
+void Workbench::attempt(const CaseJob& job, const RunHow& how, const Stage& stage, CaseResult& result) {
     Record& record = result.record;
     refuse_unsupported(job, builds_.device());
     stage("build", 0);
@@ -83,17 +83,20 @@ void Workbench::attempt(const CaseJob& job, double time_left_s, const Stage& sta
     record.build = builds_.described(job);
     record.validation = validator_.verdict(job, stage);
     if (record.validation->valid) check_launch(builds_, job, record);
-    if (record.validation->valid && !options_.skip_time)
-        result.picture = time(job, time_left_s, stage, record);
+    if (record.validation->valid && !options_.skip_time && !how.validate_only)
+        result.picture = time(job, how, stage, record);
     conclude_by_image(record);
     if (!options_.count || !record.statistics) return;
     const double ns_per_sample = record.statistics->median_ns / static_cast<double>(record.work->samples);
     record.counted = count_work(builds_, job, ns_per_sample, stage);
 }
 
-Image Workbench::time(const CaseJob& job, double time_left_s, const Stage& stage, Record& record) {
+Image Workbench::time(const CaseJob& job, const RunHow& how, const Stage& stage, Record& record) {
     const auto render = upload(builds_, job, record);
-    const Measurement measurement = stopwatch_.time(job, *render, time_left_s, stage, record);
+    const Measurement measurement = stopwatch_.time(job, *render, how.time_left_s, stage, record);
+    if (how.others_measure) stage("beside", 0);
+    while (how.others_measure && how.others_measure())
+        timed_render(*render, pace_.timing(job, passes(stage, "beside")));
     Film film = read_back(*render, record);
     validator_.check_timed_film(job, film, *record.validation);
     stopwatch_.summarize(measurement, record);
@@ -122,6 +125,13 @@ Rendered Workbench::picture(const Case& params, bool cost, std::optional<double>
     job.work.cost = cost;
     refuse_unsupported(job, builds_.device());
     return render_picture(builds_, pace_, job, time_s, progress);
+}
+
+std::unique_ptr<PictureParts> Workbench::parts(const Case& params, const std::optional<RunCut>& cut) {
+    CaseJob job = resolve(params);
+    job.work.cut = cut;
+    refuse_unsupported(job, builds_.device());
+    return std::make_unique<PictureParts>(builds_, pace_, job);
 }
 
 std::vector<Peak> Workbench::peaks(const Stage& stage) const {

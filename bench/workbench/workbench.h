@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bench/workbench/picture_job.h"
+#include "bench/workbench/picture_parts.h"
 #include "bench/workbench/stopwatch.h"
 #include "bench/workbench/trees.h"
 #include "bench/workbench/validator.h"
@@ -19,6 +21,14 @@ struct CaseResult {
     Image picture{};
 };
 
+/// How a case is run.
+struct RunHow {
+    double time_left_s = 0;
+    bool validate_only = false;
+    /// Whether others still measure, beside whom this device is to stay busy; empty: there are none.
+    std::function<bool()> others_measure{};
+};
+
 /// One device, and what measuring a case on it takes: kernels, verdicts, a stopwatch.
 class Workbench {
   public:
@@ -29,7 +39,7 @@ class Workbench {
     Workbench& operator=(const Workbench&) = delete;
 
     /// Runs one case to its record. Never throws for what a device, driver or kernel does.
-    CaseResult run(const Case& params, double time_left_s, const Stage& stage);
+    CaseResult run(const Case& params, const RunHow& how, const Stage& stage);
 
     /// Some samples of a case that `run` found valid; their film is checked too. Throws what goes wrong.
     Record round(const Case& params, int samples, const Stage& stage);
@@ -37,6 +47,10 @@ class Workbench {
     /// The picture of a case, or of what its samples cost, or of what comes of it in `time_s`; see
     /// `render_picture`. Throws Unsupported for what this device cannot do, and what goes wrong.
     Rendered picture(const Case& params, bool cost, std::optional<double> time_s, const Progress& progress);
+
+    /// This device's parts of a picture that several make, cut into runs as one of them was (`cut`), or as
+    /// suits this one. Throws Unsupported for what this device cannot do, and what goes wrong.
+    std::unique_ptr<PictureParts> parts(const Case& params, const std::optional<RunCut>& cut);
 
     /// What the device can do at most. Throws what goes wrong.
     std::vector<Peak> peaks(const Stage& stage) const;
@@ -46,8 +60,8 @@ class Workbench {
 
   private:
     CaseJob resolve(const Case& params);
-    void attempt(const CaseJob& job, double time_left_s, const Stage& stage, CaseResult& result);
-    Image time(const CaseJob& job, double time_left_s, const Stage& stage, Record& record);
+    void attempt(const CaseJob& job, const RunHow& how, const Stage& stage, CaseResult& result);
+    Image time(const CaseJob& job, const RunHow& how, const Stage& stage, Record& record);
 
     MeasureOptions options_;
     std::filesystem::path data_folder_;

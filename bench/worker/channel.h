@@ -28,7 +28,8 @@ class Channel {
   public:
     using Progress = std::function<void(const Response&)>;
     virtual ~Channel() = default;
-    virtual Reply request(const Request& request, const Progress& progress) = 0;
+    /// `enough` is asked while waiting; once it is true, what goes on for as long as nobody ends it is ended.
+    virtual Reply request(const Request& request, const Progress& progress, const Stopped& enough) = 0;
     /// Ends what answers. False when it may live on.
     virtual bool end() { return true; }
 };

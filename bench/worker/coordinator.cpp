@@ -1,8 +1,12 @@
 #include "bench/worker/coordinator.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <chrono>
+#include <future>
+#include <mutex>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -59,11 +63,57 @@ std::vector<double> samples_to_come(const RunPlan& plan, const Forecast& forecas
     return reserved;
 }
 
+Request to_validate(const Case& c) {
+    Request request;
+    request.kind = Request::Kind::run;
+    request.params = c;
+    request.validate_only = true;
+    return request;
+}
+
+/// Counts who has measured, of all that measure at once.
+class Measuring {
+  public:
+    explicit Measuring(std::size_t count) : left_(count) {}
+    /// Called by each as often as it likes.
+    void done(std::size_t who) {
+        const std::lock_guard lock(mutex_);
+        if (done_.insert(who).second) --left_;
+    }
+    bool is_over() const { return left_ == 0; }
+    /// Tells one after the other.
+    void tell(const Channel::Progress& progress, const Response& response) {
+        const std::lock_guard lock(mutex_);
+        progress(response);
+    }
+
+  private:
+    std::mutex mutex_;
+    std::set<std::size_t> done_;
+    std::atomic<std::size_t> left_;
+};
+
+/// Times beside somebody who dropped out are not what they are said to be.
+void judge_together(std::vector<Measured>& all) {
+    const auto fell = std::find_if(all.begin(), all.end(), [](const Measured& each) {
+        return !each.record.statistics && each.record.status != Status::skipped;
+    });
+    if (fell == all.end()) return;
+    for (Measured& each : all) {
+        if (each.record.status != Status::ok && each.record.status != Status::unstable) continue;
+        each.record.status = Status::unstable;
+        each.record.reason =
+            fmt::format("together {}: {} dropped out: {}", case_value(each.record.params, "together"),
+                        fell->record.params.device, fell->record.reason);
+    }
+}
+
 }  // namespace
 
-Measured ask_with_picture(DeviceWorker& worker, const Request& request, const Channel::Progress& progress) {
+Measured ask_with_picture(DeviceWorker& worker, const Request& request, const Channel::Progress& progress,
+                          const Stopped& enough) {
     if (worker.ready()) {
-        Reply reply = worker.request(request, progress);
+        Reply reply = worker.request(request, progress, enough);
         auto picture = std::move(reply.picture);
         return {record_of(request.params, std::move(reply)), std::move(picture)};
     }
@@ -94,8 +144,13 @@ double steady_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-Coordinator::Coordinator(RunPlan plan, OpenChannel open, Stopped stopped, SecondsNow now_s)
-    : plan_(std::move(plan)), stopped_(std::move(stopped)), now_s_(std::move(now_s)), start_s_(now_s_()) {
+Coordinator::Coordinator(RunPlan plan, OpenChannel open, Stopped stopped, SecondsNow now_s,
+                         MeasureShared shared)
+    : plan_(std::move(plan)),
+      stopped_(std::move(stopped)),
+      now_s_(std::move(now_s)),
+      start_s_(now_s_()),
+      shared_(std::move(shared)) {
     for (const DeviceInfo& device : plan_.devices) {
         workers_.try_emplace(device.key, device, open, plan_.measure);
     }
@@ -137,7 +192,7 @@ std::vector<Record> Coordinator::run(const Forecast& forecast, const std::vector
         }));
         for (RunObserver* observer : observers) observer->finished(i, records.back());
     }
-    if (live_ != nullptr) live_->close();
+    close_live();
     for (const auto& [device, worker] : workers_)
         if (!worker.given_up().empty()) remarks_.push_back(worker.given_up());
     assert(records.size() == plan_.cases.size());
@@ -146,11 +201,112 @@ std::vector<Record> Coordinator::run(const Forecast& forecast, const std::vector
 
 Record Coordinator::run_case(std::size_t index, const Forecast& forecast, const Channel::Progress& progress) {
     const Case& c = plan_.cases[index];
-    const std::string reason = not_to_try(c, forecast);
+    const std::string reason = beside_others_.contains(c) ? "" : not_to_try(c, forecast);
     if (!reason.empty()) return record(c, Status::skipped, reason);
-    const Measured measured = ask_with_picture(worker_of(c.device), run_request(index), progress);
-    keep_picture(c, measured);
-    return measured.record;
+    const Measured result = measured(index, progress);
+    keep_picture(c, result);
+    return result.record;
+}
+
+Measured Coordinator::measured(std::size_t index, const Channel::Progress& progress) {
+    const Case& c = plan_.cases[index];
+    if (c.devices > 1) return shared(index, progress);
+    if (c.together == Together::no)
+        return ask_with_picture(worker_of(c.device), run_request(index), progress);
+    if (!beside_others_.contains(c)) run_beside_others(index, progress);
+    return std::exchange(beside_others_.at(c), {});
+}
+
+Measured Coordinator::shared(std::size_t index, const Channel::Progress& progress) {
+    const Case& c = plan_.cases[index];
+    std::vector<DeviceInfo> devices;
+    for (const DeviceInfo& each : plan_.devices)
+        if (each.type == info_of(c.device).type && devices.size() < static_cast<std::size_t>(c.devices))
+            devices.push_back(each);
+    if (devices.size() < static_cast<std::size_t>(c.devices))
+        return {record(c, Status::unsupported,
+                       fmt::format("devices {}: there are {} {}s in this run", c.devices, devices.size(),
+                                   info_of(c.device).type)),
+                std::nullopt};
+    const Record valid = ask(worker_of(c.device), to_validate(c), progress);
+    close_live();
+    if (valid.status != Status::ok || plan_.measure.skip_time) return {valid, std::nullopt};
+    return shared_(c, devices, valid, progress);
+}
+
+const DeviceInfo& Coordinator::info_of(const std::string& device) const {
+    return *std::find_if(plan_.devices.begin(), plan_.devices.end(),
+                         [&](const DeviceInfo& each) { return each.key == device; });
+}
+
+/// The case on each device that works at the same time.
+std::vector<Case> Coordinator::with_companions(const Case& c) const {
+    std::vector<Case> cases;
+    for (const DeviceInfo& each : plan_.devices) {
+        if (c.together == Together::gpus && each.type != "GPU") continue;
+        cases.push_back(c);
+        cases.back().device = each.key;
+    }
+    return cases;
+}
+
+/// Kernels are found right one after the other; then all measure at the same time. Keeps what comes of it for
+/// those whose turn is later.
+void Coordinator::run_beside_others(std::size_t index, const Channel::Progress& progress) {
+    const Case& c = plan_.cases[index];
+    const std::vector<Case> cases = with_companions(c);
+    if (std::find(cases.begin(), cases.end(), c) == cases.end()) {
+        beside_others_[c].record =
+            record(c, Status::unsupported,
+                   fmt::format("together gpus: {} is a {}; all: every device of the run", c.device,
+                               info_of(c.device).type));
+        return;
+    }
+    close_live();
+    std::vector<Measured> all;
+    std::vector<Request> requests;
+    for (const Case& each : cases) {
+        all.push_back({ask(workers_.at(each.device), to_validate(each), progress), std::nullopt});
+        if (all.back().record.status != Status::ok || plan_.measure.skip_time) continue;
+        Request request = run_request(index);
+        request.params = each;
+        request.picture = plan_.image_files.contains(each);
+        request.beside_others = true;
+        requests.push_back(request);
+    }
+    for (Measured& measured : at_once(requests, progress))
+        for (Measured& each : all)
+            if (each.record.params == measured.record.params) each = std::move(measured);
+    if (!plan_.measure.skip_time) judge_together(all);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        workers_.at(cases[i].device).close();
+        beside_others_[cases[i]] = std::move(all[i]);
+    }
+}
+
+/// By workers that are ready; who has measured stays busy until all have.
+std::vector<Measured> Coordinator::at_once(std::vector<Request> requests, const Channel::Progress& progress) {
+    Measuring measuring(requests.size());
+    std::vector<std::future<Measured>> running;
+    for (std::size_t i = 0; i < requests.size(); ++i)
+        running.push_back(std::async(std::launch::async, [&, i] {
+            const auto listen = [&](const Response& response) {
+                if (response.stage == "beside") measuring.done(i);
+                measuring.tell(progress, response);
+            };
+            const Measured measured = ask_with_picture(workers_.at(requests[i].params.device), requests[i],
+                                                       listen, [&] { return measuring.is_over(); });
+            measuring.done(i);
+            return measured;
+        }));
+    std::vector<Measured> all;
+    for (auto& each : running) all.push_back(each.get());
+    return all;
+}
+
+void Coordinator::close_live() {
+    if (live_ != nullptr) live_->close();
+    live_ = nullptr;
 }
 
 /// A picture that cannot be kept costs no time.

@@ -34,21 +34,28 @@ struct Measured {
 };
 
 /// What answers a request to run a case, or the record that says why nothing does.
-Measured ask_with_picture(DeviceWorker& worker, const Request& request, const Channel::Progress& progress);
+Measured ask_with_picture(DeviceWorker& worker, const Request& request, const Channel::Progress& progress,
+                          const Stopped& enough = {});
 Record ask(DeviceWorker& worker, const Request& request, const Channel::Progress& progress);
 
 /// What a worker's device can do at most, or why nobody knows.
 DevicePeaks ask_peaks(DeviceWorker& worker, const std::string& device);
 
+/// Measures a case of several devices that make one picture, whose kernel `validated` found right on the
+/// first of them.
+using MeasureShared = std::function<Measured(const Case& c, const std::vector<DeviceInfo>& devices,
+                                             Record validated, const Channel::Progress& progress)>;
+
 /// Seconds since any fixed moment.
 using SecondsNow = std::function<double()>;
 double steady_seconds();
 
-/// Drives workers through a plan, one worker at a time. Whatever happens to a worker, each planned case ends
-/// as exactly one record. The budget counts from construction.
+/// Drives workers through a plan, one worker at a time, but where cases say otherwise. Whatever happens to a
+/// worker, each planned case ends as exactly one record. The budget counts from construction.
 class Coordinator {
   public:
-    Coordinator(RunPlan plan, OpenChannel open, Stopped stopped, SecondsNow now_s = steady_seconds);
+    Coordinator(RunPlan plan, OpenChannel open, Stopped stopped, SecondsNow now_s = steady_seconds,
+                MeasureShared shared = {});
 
     /// Asks each device what a pixel sample of each (kernel, scene, path length, lanes) costs.
     Forecast estimate();
@@ -72,6 +79,13 @@ class Coordinator {
     Request run_request(std::size_t index) const;
     void keep_picture(const Case& c, const Measured& measured);
     Record run_case(std::size_t index, const Forecast& forecast, const Channel::Progress& progress);
+    Measured measured(std::size_t index, const Channel::Progress& progress);
+    Measured shared(std::size_t index, const Channel::Progress& progress);
+    const DeviceInfo& info_of(const std::string& device) const;
+    std::vector<Case> with_companions(const Case& c) const;
+    void run_beside_others(std::size_t index, const Channel::Progress& progress);
+    std::vector<Measured> at_once(std::vector<Request> requests, const Channel::Progress& progress);
+    void close_live();
 
     RunPlan plan_;
     Stopped stopped_;
@@ -80,6 +94,8 @@ class Coordinator {
     std::vector<double> reserved_s_;  ///< for each case, what one sample of each later one takes
     std::map<std::string, DeviceWorker> workers_;
     DeviceWorker* live_ = nullptr;
+    MeasureShared shared_;
+    std::map<Case, Measured> beside_others_;  ///< measured together with a case before
     std::vector<std::string> remarks_;
 };
 

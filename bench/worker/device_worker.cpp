@@ -55,7 +55,7 @@ Reply DeviceWorker::open() {
     Request request;
     request.kind = Request::Kind::open;
     request.measure = measure_;
-    return channel_->request(request, [](const Response&) {});
+    return channel_->request(request, [](const Response&) {}, {});
 }
 
 void DeviceWorker::check_facts(const Response& ready) {
@@ -84,11 +84,12 @@ void DeviceWorker::keep_printed(const std::string& kernel, Reply& reply) {
     printed.clear();
 }
 
-Reply DeviceWorker::request(const Request& request, const Channel::Progress& progress) {
+Reply DeviceWorker::request(const Request& request, const Channel::Progress& progress,
+                            const Stopped& enough) {
     Request complete = request;
     if (is_as_here_ && !request.params.scene.empty())
         complete.scene_hash = hash_of_scene(request.params.scene);
-    Reply reply = channel_->request(complete, progress);
+    Reply reply = channel_->request(complete, progress, enough);
     keep_printed(request.params.kernel, reply);
     if (reply.end != Reply::End::answered || reply.response.device_failed) close();
     return reply;

@@ -39,7 +39,7 @@ class DeviceWorker {
     const std::string& given_up() const { return given_up_; }
 
     /// Sends a request to a worker that is ready.
-    Reply request(const Request& request, const Channel::Progress& progress);
+    Reply request(const Request& request, const Channel::Progress& progress, const Stopped& enough = {});
 
     void close();
 

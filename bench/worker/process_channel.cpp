@@ -28,9 +28,11 @@ class ProcessChannel : public Channel {
           stopped_(std::move(stopped)),
           waiting_(launch.waiting) {}
 
-    Reply request(const Request& request, const Progress& progress) override {
+    Reply request(const Request& request, const Progress& progress, const Stopped& enough) override {
         Request numbered = request;
         numbered.number = ++number_;
+        is_stopping_ = false;
+        enough_ = enough;
         if (!process_.write_line(to_line(numbered))) return crashed();
         PartialReply partial(request, progress);
         for (;;) {
@@ -48,8 +50,8 @@ class ProcessChannel : public Channel {
   private:
     Reply next(const Request& request) {
         std::string line;
-        ReadStatus status = process_.read_line(line, patience(), [this] { return to_stop(); });
-        if (status == ReadStatus::interrupted && request.kind == Request::Kind::render) {
+        ReadStatus status = process_.read_line(line, patience(), [&] { return to_stop(request.kind); });
+        if (status == ReadStatus::interrupted && (is_enough() || may_end_early(request.kind))) {
             stop(request);
             status = process_.read_line(line, patience());
         }
@@ -66,10 +68,17 @@ class ProcessChannel : public Channel {
         is_stopping_ = true;
     }
 
-    /// Asked while waiting.
-    bool to_stop() {
+    /// Asked while waiting. What was rendered of a picture that is stopped is still wanted.
+    bool to_stop(Request::Kind kind) {
         if (is_waiting_for_launcher()) waiting_.look(last_words());
-        return !is_stopping_ && stopped_ && stopped_();
+        if (kind == Request::Kind::give_film || is_stopping_) return false;
+        return is_enough() || (stopped_ && stopped_());
+    }
+
+    bool is_enough() const { return enough_ && enough_(); }
+
+    static bool may_end_early(Request::Kind kind) {
+        return kind == Request::Kind::render || kind == Request::Kind::render_parts;
     }
 
     bool is_waiting_for_launcher() const { return !launch_.launcher.empty() && !worker_; }
@@ -144,6 +153,7 @@ class ProcessChannel : public Channel {
     Waiting waiting_;
     std::int64_t number_ = 0;
     bool is_stopping_ = false;
+    Stopped enough_;
     std::optional<WorkerIdentity> worker_;  ///< once it has answered
 };
 

@@ -1,16 +1,20 @@
 #include "bench/worker/protocol.h"
 
+#include <algorithm>
 #include <iterator>
 #include <stdexcept>
 
 #include "bench/record/json.h"
+#include "bench/record/parts_json.h"
 
 namespace ptb {
 namespace {
 
-constexpr const char* request_kinds[] = {"open", "estimate", "run", "round", "peaks", "render", "stop"};
-constexpr const char* response_kinds[] = {"ready", "estimate", "progress", "record", "failed",
-                                          "peaks", "pixels",   "rendered", "refused"};
+constexpr const char* request_kinds[] = {"open",   "estimate", "run",           "round",        "peaks",
+                                         "render", "stop",     "share_picture", "render_parts", "give_film"};
+constexpr const char* response_kinds[] = {"ready",   "estimate", "progress",   "record",
+                                          "failed",  "peaks",    "pixels",     "rendered",
+                                          "refused", "sharing",  "parts_done", "film_given"};
 
 template <class Kind, std::size_t N>
 Kind parse_kind(const Json& json, const Where& where, const char* const (&words)[N]) {
@@ -41,8 +45,10 @@ inline constexpr auto fields<Request> = std::make_tuple(
     required("kind", &Request::kind), required("protocol", &Request::protocol),
     field("number", &Request::number), field("measure", &Request::measure), field("params", &Request::params),
     field("time_left_s", &Request::time_left_s), field("scene_hash", &Request::scene_hash),
-    field("picture", &Request::picture), field("samples", &Request::samples),
-    field("time_s", &Request::time_s), field("cost", &Request::cost));
+    field("picture", &Request::picture), field("validate_only", &Request::validate_only),
+    field("beside_others", &Request::beside_others), field("samples", &Request::samples),
+    field("time_s", &Request::time_s), field("cost", &Request::cost), field("cut", &Request::cut),
+    field("parts", &Request::parts), field("film_file", &Request::film_file));
 
 template <>
 inline constexpr auto fields<Response> = std::make_tuple(
@@ -52,13 +58,16 @@ inline constexpr auto fields<Response> = std::make_tuple(
     field("done", &Response::done), field("record", &Response::record),
     field("first_row", &Response::first_row), field("rgb", &Response::rgb), field("whole", &Response::whole),
     field("spp", &Response::spp), field("seconds", &Response::seconds), field("reason", &Response::reason),
-    field("device_failed", &Response::device_failed), field("peaks", &Response::peaks));
+    field("device_failed", &Response::device_failed), field("peaks", &Response::peaks),
+    field("cut", &Response::cut), field("part_count", &Response::part_count),
+    field("parts", &Response::parts), field("device_s", &Response::device_s));
 
 namespace {
 
 bool of_a_case(const Request& request) {
     using Kind = Request::Kind;
-    return request.kind != Kind::open && request.kind != Kind::peaks && request.kind != Kind::stop;
+    constexpr Kind others[] = {Kind::open, Kind::peaks, Kind::stop, Kind::render_parts, Kind::give_film};
+    return std::find(std::begin(others), std::end(others), request.kind) == std::end(others);
 }
 
 template <class Message>

@@ -8,6 +8,7 @@
 #include "bench/plan/config.h"
 #include "bench/record/record.h"
 #include "bench/worker/identity.h"
+#include "core/render/parts.h"
 
 namespace ptb {
 
@@ -15,30 +16,62 @@ namespace ptb {
 inline constexpr int protocol_version = 4;
 
 /// Coordinator to worker, one JSON object a line. The first line is always `open`; `stop` is no request of
-/// its own, but ends the `render` of its number early. A worker whose stdin ends is not wanted any more.
+/// its own, but ends the `render` or `render_parts` of its number early, and what a `run` does beside others.
+/// A worker whose stdin ends is not wanted any more.
 struct Request {
-    enum class Kind { open, estimate, run, round, peaks, render, stop };
+    enum class Kind {
+        open,
+        estimate,
+        run,
+        round,
+        peaks,
+        render,
+        stop,
+        share_picture,
+        render_parts,
+        give_film
+    };
     Kind kind = Kind::open;
     int protocol = protocol_version;
     std::int64_t number = 0;            ///< counted from 1; the channel sets it
     MeasureOptions measure;             ///< open
-    Case params;                        ///< estimate, run, round, render
+    Case params;                        ///< estimate, run, round, render, share_picture
     std::optional<double> time_left_s;  ///< run: what is left of the budget for this case
     std::string scene_hash;             ///< of the scene's content where the request comes from, or empty
     bool picture = false;               ///< run: send the timed picture, too
+    bool validate_only = false;         ///< run: what is timed later
+    bool beside_others = false;         ///< run: stay busy when measured, until `stop`
     std::optional<double> time_s;       ///< render: how long, whatever the case says of samples
     int samples = 0;                    ///< round: how many
     bool cost = false;                  ///< render: what samples took (RenderJob::cost)
+    std::optional<RunCut> cut;          ///< share_picture: as an earlier device cut it into runs
+    PartRange parts;                    ///< render_parts
+    std::string film_file;              ///< give_film: where to write the film
     bool operator==(const Request&) const = default;
 };
 
 /// Worker to coordinator. `open` is answered by `ready` or `failed`; `estimate` by `estimate` or `failed`;
 /// `run` by any number of `progress` and `pixels` and one `record`; `round`, some samples of a case without
 /// its warm-up, too; `peaks` like `run`, but by `peaks` or `failed`; `render` by `rendered`, `failed` or, for
-/// what this device cannot do, `refused`. A worker that is alive sends progress at least once a pass, the
-/// first one before it touches a device.
+/// what this device cannot do, `refused`. `share_picture` begins this device's parts of a picture that
+/// several make, and is answered by `sharing` or like `render`; `render_parts` by `parts_done`, `give_film`,
+/// which empties the film, by `film_given`, or both by `failed`. A worker that is alive sends progress at
+/// least once a pass, the first one before it touches a device.
 struct Response {
-    enum class Kind { ready, estimate, progress, record, failed, peaks, pixels, rendered, refused };
+    enum class Kind {
+        ready,
+        estimate,
+        progress,
+        record,
+        failed,
+        peaks,
+        pixels,
+        rendered,
+        refused,
+        sharing,
+        parts_done,
+        film_given
+    };
     Kind kind = Kind::ready;
     int protocol = protocol_version;
     std::int64_t number = 0;  ///< of the request that it answers
@@ -52,6 +85,10 @@ struct Response {
     std::string rgb;               ///< pixels: whole rows of floats in base64
     bool whole = false;            ///< rendered: it was not stopped
     double spp = 0, seconds = 0;   ///< rendered: samples of the mean pixel, and how long they took
+    std::optional<RunCut> cut;     ///< sharing
+    std::uint64_t part_count = 0;  ///< sharing: of the whole picture
+    PartRange parts;               ///< parts_done: of those asked for, from the first on
+    double device_s = 0;           ///< parts_done: beside `seconds` by the host's clock
     std::string reason;            ///< failed, refused
     std::vector<Peak> peaks;       ///< peaks
     bool device_failed =

@@ -10,6 +10,7 @@
 #include "bench/plan/scene_file.h"
 #include "bench/workbench/outcome.h"
 #include "bench/workbench/workbench.h"
+#include "bench/worker/film_file.h"
 #include "bench/worker/picture.h"
 #include "core/input/usage_error.h"
 #include "core/ocl/error.h"
@@ -84,6 +85,9 @@ class DeviceSession : public WorkerSession {
         if (!other.empty()) return failed(other);
         if (request.kind == Request::Kind::estimate) return estimate(request);
         if (request.kind == Request::Kind::render) return render(request, send);
+        if (request.kind == Request::Kind::share_picture) return share(request, send);
+        if (request.kind == Request::Kind::render_parts) return render_parts(request, send);
+        if (request.kind == Request::Kind::give_film) return give_film(request);
         return request.kind == Request::Kind::peaks ? peaks(send) : measure(request, send);
     }
 
@@ -150,11 +154,54 @@ class DeviceSession : public WorkerSession {
         return response;
     }
 
+    Response share(const Request& request, const Send& send) {
+        told(send)("build", 0);
+        Response response;
+        response.kind = Response::Kind::sharing;
+        try {
+            parts_.reset();  // frees the device's memory
+            parts_ = bench_->parts(request.params, request.cut);
+            response.cut = parts_->cut();
+            response.part_count = parts_->count();
+            response.ns_per_sample = bench_->estimate(request.params);
+        } catch (const UsageError& error) {
+            response = refused(error.what());
+        } catch (const Unsupported& error) {
+            response = refused(error.what());
+        }
+        return response;
+    }
+
+    Response render_parts(const Request& request, const Send& send) {
+        if (!parts_) return failed("there is no picture to make parts of");
+        const auto progress = told(send);
+        const PartsDone done = parts_->render(request.parts, [&](double share) {
+            progress("render", share);
+            return !stop_asked_(request.number);
+        });
+        Response response;
+        response.kind = Response::Kind::parts_done;
+        response.parts = done.parts;
+        response.seconds = done.host_s;
+        response.device_s = done.device_s;
+        return response;
+    }
+
+    Response give_film(const Request& request) {
+        if (!parts_) return failed("there is no film to give");
+        write_film(request.film_file, parts_->take_film());
+        Response response;
+        response.kind = Response::Kind::film_given;
+        return response;
+    }
+
     CaseResult measured(const Request& request, const Stage& stage) {
         if (request.kind == Request::Kind::round)
             return {bench_->round(request.params, request.samples, stage)};
-        const double time_left_s = request.time_left_s.value_or(std::numeric_limits<double>::infinity());
-        return bench_->run(request.params, time_left_s, stage);
+        RunHow how{request.time_left_s.value_or(std::numeric_limits<double>::infinity()),
+                   request.validate_only};
+        if (request.beside_others) how.others_measure = [&] { return !stop_asked_(request.number); };
+        return bench_->run(request.params, how, stage);
     }
 
     Response measure(const Request& request, const Send& send) {
@@ -171,6 +218,7 @@ class DeviceSession : public WorkerSession {
     StopAsked stop_asked_;
     MeasureOptions options_;
     std::optional<Workbench> bench_;
+    std::unique_ptr<PictureParts> parts_;  ///< of the picture that is being shared
 };
 
 }  // namespace

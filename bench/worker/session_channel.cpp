@@ -10,7 +10,7 @@ class SessionChannel : public Channel {
   public:
     explicit SessionChannel(std::unique_ptr<WorkerSession> session) : session_(std::move(session)) {}
 
-    Reply request(const Request& request, const Progress& progress) override {
+    Reply request(const Request& request, const Progress& progress, const Stopped&) override {
         Reply reply{Reply::End::crashed, {}, "the session gave no answer", {}};
         PartialReply partial(request, progress);
         session_->answer(request, [&](const Response& response) {

@@ -7,6 +7,7 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStdIO.h>
+#include <ImfStringAttribute.h>
 #include <fmt/format.h>
 
 #include "core/image/image_io.h"
@@ -30,10 +31,11 @@ Imf::Slice slice(const Image& image, int channel, int x = 0, int y = 0) {
     return {Imf::FLOAT, base, pixel, row};
 }
 
-std::string encode(const std::map<std::string, Image>& layers) {
+std::string encode(const std::map<std::string, Image>& layers, const ImageNotes& notes) {
     const Size size = layers.begin()->second.size;
     Imf::Header header(size.width, size.height);
     header.compression() = Imf::ZIP_COMPRESSION;
+    for (const auto& [name, text] : notes) header.insert(name, Imf::StringAttribute(text));
     Imf::FrameBuffer buffer;
     for (const auto& [layer, image] : layers) {
         for (int channel = 0; channel < 3; ++channel) {
@@ -101,9 +103,10 @@ void require_one_size(const std::filesystem::path& file, const std::map<std::str
 
 }  // namespace
 
-void write_exr_layers(const std::filesystem::path& file, const std::map<std::string, Image>& layers) {
+void write_exr_layers(const std::filesystem::path& file, const std::map<std::string, Image>& layers,
+                      const ImageNotes& notes) {
     require_one_size(file, layers);
-    write_bytes(file, encode(layers));
+    write_bytes(file, encode(layers, notes));
 }
 
 std::map<std::string, Image> read_exr_layers(const std::filesystem::path& file) {

@@ -13,6 +13,7 @@
 #include <png.h>
 
 #include "core/file/replace_file.h"
+#include "core/input/printable.h"
 
 namespace ptb {
 namespace {
@@ -25,8 +26,11 @@ std::vector<std::uint8_t> encoded_bytes(const Image& image) {
     return bytes;
 }
 
-std::string ppm_text(const Image& image) {
-    std::string text = fmt::format("P3\n{} {}\n255\n", image.size.width, image.size.height);
+/// A comment ends with its line.
+std::string ppm_text(const Image& image, const ImageNotes& notes) {
+    std::string text = "P3\n";
+    for (const auto& [name, note] : notes) text += fmt::format("# {} {}\n", name, printable(note));
+    text += fmt::format("{} {}\n255\n", image.size.width, image.size.height);
     const std::vector<std::uint8_t> bytes = encoded_bytes(image);
     for (std::size_t i = 0; i < bytes.size(); i += 3)
         fmt::format_to(std::back_inserter(text), "{} {} {}\n", bytes[i], bytes[i + 1], bytes[i + 2]);
@@ -34,7 +38,7 @@ std::string ppm_text(const Image& image) {
 }
 
 /// Rows from the bottom, little-endian (which the minus sign of the scale says).
-std::string pfm_bytes(const Image& image) {
+std::string pfm_bytes(const Image& image, const ImageNotes&) {
     std::string bytes = fmt::format("PF\n{} {}\n-1.0\n", image.size.width, image.size.height);
     const std::size_t row = 3 * static_cast<std::size_t>(image.size.width);
     for (std::size_t y = static_cast<std::size_t>(image.size.height); y-- > 0;) {
@@ -46,18 +50,48 @@ std::string pfm_bytes(const Image& image) {
     return bytes;
 }
 
-std::string png_bytes(const Image& image) {
-    png_image png = {};
-    png.version = PNG_IMAGE_VERSION;
-    png.width = static_cast<png_uint_32>(image.size.width);
-    png.height = static_cast<png_uint_32>(image.size.height);
-    png.format = PNG_FORMAT_RGB;
-    const std::vector<std::uint8_t> rgb = encoded_bytes(image);
-    std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
-    png_alloc_size_t written = bytes.size();
-    if (!png_image_write_to_memory(&png, bytes.data(), &written, 0, rgb.data(), 0, nullptr))
-        throw ImageError(png.message);
-    bytes.resize(written);
+void append_png(png_structp png, png_bytep bytes, png_size_t count) {
+    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), count);
+}
+
+[[noreturn]] void fail_png(png_structp, png_const_charp reason) { throw ImageError(reason); }
+
+/// libpng's own structs for one file.
+struct PngWriter {
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail_png, nullptr);
+    png_infop info = png_create_info_struct(png);
+    PngWriter() = default;
+    ~PngWriter() { png_destroy_write_struct(&png, &info); }
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+};
+
+std::vector<png_text> png_texts(const ImageNotes& notes) {
+    std::vector<png_text> texts;
+    for (const auto& [name, note] : notes) {
+        png_text& text = texts.emplace_back();
+        text.compression = PNG_TEXT_COMPRESSION_zTXt;
+        text.key = const_cast<char*>(name.c_str());  // libpng only reads them
+        text.text = const_cast<char*>(note.c_str());
+        text.text_length = note.size();
+    }
+    return texts;
+}
+
+std::string png_bytes(const Image& image, const ImageNotes& notes) {
+    std::string bytes;
+    std::vector<std::uint8_t> rgb = encoded_bytes(image);
+    const PngWriter writer;
+    png_set_write_fn(writer.png, &bytes, append_png, nullptr);
+    png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.size.width),
+                 static_cast<png_uint_32>(image.size.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    const std::vector<png_text> texts = png_texts(notes);
+    png_set_text(writer.png, writer.info, texts.data(), static_cast<int>(texts.size()));
+    png_write_info(writer.png, writer.info);
+    const std::size_t row = 3 * static_cast<std::size_t>(image.size.width);
+    for (std::size_t at = 0; at < rgb.size(); at += row) png_write_row(writer.png, rgb.data() + at);
+    png_write_end(writer.png, nullptr);
     return bytes;
 }
 
@@ -73,8 +107,8 @@ std::string extension_of(const std::filesystem::path& file) {
     return extension;
 }
 
-const std::map<std::string, std::function<std::string(const Image&)>>& encoders() {
-    static const std::map<std::string, std::function<std::string(const Image&)>> table = {
+const std::map<std::string, std::function<std::string(const Image&, const ImageNotes&)>>& encoders() {
+    static const std::map<std::string, std::function<std::string(const Image&, const ImageNotes&)>> table = {
         {".pfm", pfm_bytes}, {".png", png_bytes}, {".ppm", ppm_text}};
     return table;
 }
@@ -118,14 +152,14 @@ bool keeps_floats(const std::filesystem::path& file) {
     return extension == ".exr" || extension == ".pfm";
 }
 
-void write_image(const std::filesystem::path& file, const Image& image) {
+void write_image(const std::filesystem::path& file, const Image& image, const ImageNotes& notes) {
     if (!is_image_file(file))
         throw ImageError(fmt::format("{}: the extension \"{}\" is not one of .exr .pfm .png .ppm",
                                      file.string(), file.extension().string()));
-    if (extension_of(file) == ".exr") return write_exr_layers(file, {{"", image}});
+    if (extension_of(file) == ".exr") return write_exr_layers(file, {{"", image}}, notes);
     if (image.size.pixels() == 0 || image.rgb.size() != 3 * image.size.pixels())
         throw ImageError(file.string() + ": there is nothing to write");
-    write_bytes(file, encoders().at(extension_of(file))(image));
+    write_bytes(file, encoders().at(extension_of(file))(image, notes));
 }
 
 }  // namespace ptb

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/integrator/camera.h"
 #include "core/integrator/device_meshes.h"
 #include "core/integrator/engine_options.h"
@@ -23,7 +25,8 @@ struct Shape {
     std::uint64_t items;           ///< work-items of a launch; they share one queue of units
     std::uint64_t max_units;       ///< of one launch: bounds the memory of their tallies
     std::uint64_t units_per_lane;  ///< a lane takes no more
-    Runs runs;  ///< the image depends on them, so on nothing but device, lanes, size and spp
+    RunCut cut;                    ///< the image depends on it, so on nothing but device, lanes, size and spp
+    Runs runs;
 };
 
 constexpr std::uint64_t longest_round = 512;  ///< samples
@@ -43,8 +46,9 @@ Shape shape_of(const Integrator& row, const ocl::Device& device, const Scene& sc
     const std::uint64_t busy =
         is_throughput_device(device) ? cores * 2048 : cores * static_cast<std::uint64_t>(job.lanes);
     const std::uint64_t fair = std::max<std::uint64_t>(job.size.pixels() * spp / (12 * busy), 1);
-    Shape shape{is_throughput_device(device) ? busy : cores * 64, 0, 0,
-                make_runs(static_cast<std::uint32_t>(spp), fair, std::min(most_a_round(job), paths))};
+    const RunCut cut = job.cut.value_or(RunCut{fair, std::min(most_a_round(job), paths)});
+    Shape shape{is_throughput_device(device) ? busy : cores * 64, 0, 0, cut,
+                make_runs(static_cast<std::uint32_t>(spp), cut.fair, cut.most)};
     shape.max_units = is_throughput_device(device) ? 24 * shape.items : 1u << 18;
     shape.units_per_lane = std::min<std::uint64_t>(paths / shape.runs.longest(), 0xffffffffu);
     return shape;
@@ -113,7 +117,7 @@ EngineLaunch launch_of(const Scene& scene, const DeviceScene& device_scene, cons
     return launch;
 }
 
-class EngineRender : public Render {
+class EngineRender : public PartRender {
   public:
     EngineRender(const Integrator& row, const ocl::Device& device, const ocl::Program& program,
                  const Scene& scene, const RenderJob& job)
@@ -144,20 +148,28 @@ class EngineRender : public Render {
     }
 
     Film read_film() override {
-        Film film;
-        film.mean = {job_.size, std::vector<float>(job_.size.pixels() * 3)};
-        if (row_.independent_pixels) film.variance = film.mean;
-        film.samples = film.full_length_paths = 0;
+        Film film = empty_film(job_.size, row_.independent_pixels);
         FilmHash hash;
-        for (int row = 0; row < job_.size.height; row += rows_at_once) {
-            const int rows = std::min(rows_at_once, job_.size.height - row);
-            const auto pixels = ocl::checked(row_.id + " film", device_.info.name,
-                                             [&] { return read_rows(row, rows, film); });
-            store_pixels(pixels, Size{job_.size.width, row}.pixels(), scale_, film);
+        film.light_segments = read_rows([&](int first_row, const std::vector<FilmPixel>& pixels) {
+            store_pixels(pixels, Size{job_.size.width, first_row}.pixels(), scale_, film);
             hash.add(std::span<const FilmPixel>(pixels));
-        }
+        });
         film.hash = hash.text();
         return film;
+    }
+
+    RunCut cut() const override { return shape_.cut; }
+    std::uint64_t parts() const override { return cut_.parts(); }
+    void take(PartRange parts) override { cut_.take(parts); }
+    PartRange parts_left() const override { return cut_.left(); }
+
+    FilmSums read_sums() override {
+        FilmSums sums{job_.size, scale_, row_.independent_pixels};
+        sums.pixels.reserve(job_.size.pixels());
+        sums.light_segments = read_rows([&](int, const std::vector<FilmPixel>& pixels) {
+            sums.pixels.insert(sums.pixels.end(), pixels.begin(), pixels.end());
+        });
+        return sums;
     }
 
     ocl::KernelFacts facts() const override { return kernel_facts(device_, render_); }
@@ -195,10 +207,20 @@ class EngineRender : public Render {
 
     static constexpr int rows_at_once = 256;  ///< of the film, on the host
 
-    std::vector<FilmPixel> read_rows(int first_row, int rows, Film& film) {
-        auto pixels = film_->read(launcher_.queue(), first_row, rows);
-        if (splats_) film.light_segments += splats_->add_to(pixels, launcher_.queue(), first_row);
-        return pixels;
+    /// Some rows after the others; returns the segments of paths from lamps.
+    template <class Take>
+    std::uint64_t read_rows(Take&& take) {
+        std::uint64_t light_segments = 0;
+        for (int row = 0; row < job_.size.height; row += rows_at_once) {
+            const int rows = std::min(rows_at_once, job_.size.height - row);
+            const auto pixels = ocl::checked(row_.id + " film", device_.info.name, [&] {
+                auto read = film_->read(launcher_.queue(), row, rows);
+                if (splats_) light_segments += splats_->add_to(read, launcher_.queue(), row);
+                return read;
+            });
+            take(row, pixels);
+        }
+        return light_segments;
     }
 
     std::vector<LaunchTimes> launch_units() {
@@ -283,13 +305,35 @@ DeviceMemory memory(const Integrator& row, const ocl::Device& device, const Scen
                       meshes.leaf_bytes(), meshes.triangle_bytes()})};
 }
 
+std::string cut_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                        const RenderJob& job) {
+    if (!job.cut) return "";
+    const std::uint64_t paths = paths_per_item(device, scene, most_rays(row, job.path_length));
+    const std::uint64_t most = std::min(longest_round, paths);
+    if (job.cut->fair > 0 && job.cut->most > 0 && job.cut->most <= most) return "";
+    return fmt::format("an image cut into rounds of {} samples: this device takes at most {}", job.cut->most,
+                       most);
+}
+
+std::string refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                    const RenderJob& job) {
+    const std::string reason = engine_refusal(row, device, scene, job);
+    return reason.empty() ? cut_refusal(row, device, scene, job) : reason;
+}
+
 std::unique_ptr<Render> make(const Integrator& row, const ocl::Device& device, const ocl::Program& program,
                              const Scene& scene, const RenderJob& job) {
     return std::make_unique<EngineRender>(row, device, program, scene, job);
 }
 
+std::unique_ptr<PartRender> make_parts(const Integrator& row, const ocl::Device& device,
+                                       const ocl::Program& program, const Scene& scene,
+                                       const RenderJob& job) {
+    return std::make_unique<EngineRender>(row, device, program, scene, job);
+}
+
 }  // namespace
 
-const Machinery engine_machinery{engine_options, engine_refusal, memory, make};
+const Machinery engine_machinery{engine_options, refusal, memory, make, make_parts};
 
 }  // namespace ptb

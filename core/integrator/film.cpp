@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -29,11 +28,6 @@ double most_radiance(const Scene& scene, int path_length) {
     }
     const double series = albedo < 1 ? 1 / (1 - albedo) : path_length;
     return radiance > 0 ? radiance * std::min<double>(series, path_length) : 1;
-}
-
-double unscaled(ptb_long sum, int exponent) {
-    return sum == FILM_BROKEN ? std::numeric_limits<double>::quiet_NaN()
-                              : std::ldexp(static_cast<double>(sum), -exponent);
 }
 
 class BufferFilm : public FilmStore {
@@ -135,26 +129,6 @@ FilmScale film_scale(const Scene& scene, const RenderJob& job, double least_chan
     constexpr int room = 62, finest = 100;  // beyond, floats end
     return {std::clamp(room - 4 - samples - radiance - weight, -finest, finest),
             std::clamp(room - 6 - samples - 2 * radiance - weight, -finest, finest)};
-}
-
-void store_pixels(const std::vector<FilmPixel>& pixels, std::size_t first, const FilmScale& scale,
-                  Film& film) {
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const FilmPixel& pixel = pixels[i];
-        const double n = pixel.samples;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double mean = n > 0 ? unscaled(pixel.radiance[c], scale.radiance) / n : 0;
-            film.mean.rgb[3 * (first + i) + c] = static_cast<float>(mean);
-            if (!film.variance) continue;
-            const double deviations = unscaled(pixel.squares[c], scale.squares) - n * mean * mean;
-            film.variance->rgb[3 * (first + i) + c] =
-                n > 1 ? static_cast<float>(std::max(deviations, 0.0) / (n - 1)) : 0.0f;
-        }
-        *film.samples += pixel.samples;
-        film.segments += pixel.segments;
-        *film.full_length_paths += pixel.full_length_paths;
-        film.shadow_rays += pixel.shadow_rays;
-    }
 }
 
 std::unique_ptr<FilmStore> make_film_store(const ocl::Device& device, const cl::Program& program,

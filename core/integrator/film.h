@@ -6,27 +6,18 @@
 
 #include "core/image/image.h"
 #include "core/render/counted_rows.h"
+#include "core/render/film_sums.h"
 #include "core/render/launcher.h"
 #include "core/render/render.h"
 #include "shared/engine.h"
 
 namespace ptb {
 
-/// What one unit of a film's sums is worth: 2^-radiance of radiance, 2^-squares of its square.
-struct FilmScale {
-    int radiance = 0, squares = 0;
-};
-
 /// As fine as leaves room for the sums of the job's samples of this scene with some to spare: a factor of 16
 /// in a pixel's mean radiance over what the scene's emitters can send into it, 64 in the mean of its square;
 /// and so much more as samples weigh more that ask one of many lamps, or that roulette spared.
 /// @param least_chance  of a lamp that is asked for its light, 1 where none is
 FilmScale film_scale(const Scene& scene, const RenderJob& job, double least_chance);
-
-/// The picture and the counts of some pixels, added to `film` from pixel `first` on, with the variance where
-/// it has one. A broken sum is NaN.
-void store_pixels(const std::vector<FilmPixel>& pixels, std::size_t first, const FilmScale& scale,
-                  Film& film);
 
 /// What holds the sums of pixels on a device. Methods throw cl::Error.
 class FilmStore {

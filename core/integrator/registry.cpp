@@ -169,9 +169,9 @@ std::string unsupported_reason(const Integrator& integrator, const ocl::Device& 
                            job.path_length, scene.spheres.size(), ocl::loop_limit(device.info));
     for (const std::string& reason :
          {tree_reason(scene, job.variant), ray_kind_reason(integrator, job.variant),
-          cost_reason(integrator, scene, job),
-          work_group_reason(integrator, device.info, job), launch_refusal(device, job),
-          integrator.refusal(device, scene, job), memory_reason(integrator, device, scene, job)})
+          cost_reason(integrator, scene, job), work_group_reason(integrator, device.info, job),
+          launch_refusal(device, job), integrator.refusal(device, scene, job),
+          memory_reason(integrator, device, scene, job)})
         if (!reason.empty()) return reason;
     return "";
 }

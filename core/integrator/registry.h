@@ -22,6 +22,9 @@ struct Machinery {
     DeviceMemory (*memory)(const Integrator&, const ocl::Device&, const Scene&, const RenderJob&);
     std::unique_ptr<Render> (*make)(const Integrator&, const ocl::Device&, const ocl::Program&, const Scene&,
                                     const RenderJob&);
+    /// The same, of parts of an image; null where a pixel's samples follow from each other.
+    std::unique_ptr<PartRender> (*make_parts)(const Integrator&, const ocl::Device&, const ocl::Program&,
+                                              const Scene&, const RenderJob&) = nullptr;
 };
 
 /// One row of the registry: everything the rest of the program knows of an integrator.
@@ -60,6 +63,12 @@ struct Integrator {
     std::unique_ptr<Render> make(const ocl::Device& device, const ocl::Program& program, const Scene& scene,
                                  const RenderJob& job) const {
         return machinery->make(*this, device, program, scene, job);
+    }
+    /// Whether several devices may make one image.
+    bool has_parts() const { return machinery->make_parts != nullptr; }
+    std::unique_ptr<PartRender> make_parts(const ocl::Device& device, const ocl::Program& program,
+                                           const Scene& scene, const RenderJob& job) const {
+        return machinery->make_parts(*this, device, program, scene, job);
     }
 };
 

@@ -10,12 +10,15 @@ namespace ptb {
 /// ones. A round that is short enough as a whole is one run.
 struct Runs {
     std::vector<std::uint32_t> starts;  ///< first sample of every run, and the end of the last one
-    std::vector<std::uint32_t> rounds;  ///< the ends of the rounds, likewise
+    std::vector<std::uint32_t> rounds;  ///< number of every round's first run, and of all runs
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(starts.size() - 1); }
     std::uint32_t length(std::uint32_t run) const { return starts[run + 1] - starts[run]; }
     std::uint32_t longest() const;
     bool ends_round(std::uint32_t run) const;
+    std::uint32_t round_count() const { return static_cast<std::uint32_t>(rounds.size() - 1); }
+    /// Samples before a round, which may be the one behind the last.
+    std::uint32_t samples_before(std::uint32_t round) const { return starts[rounds[round]]; }
 };
 
 /// @param fair  samples of a unit that keep all lanes busy to the end, at least 1

@@ -223,6 +223,6 @@ std::unique_ptr<Render> make(const Integrator&, const ocl::Device& device, const
 
 }  // namespace
 
-const Machinery thesis_machinery{options, refusal, memory, make};
+const Machinery thesis_machinery{options, refusal, memory, make, nullptr};
 
 }  // namespace ptb

@@ -9,6 +9,8 @@
 #include "core/image/image.h"
 #include "core/ocl/program.h"
 #include "core/render/counted_rows.h"
+#include "core/render/film_sums.h"
+#include "core/render/parts.h"
 #include "core/render/ray_sample.h"
 #include "core/render/variant.h"
 #include "core/scene/scene.h"
@@ -31,6 +33,7 @@ struct RenderJob {
     /// In place of its radiance a pixel has what its samples took of a tree: nodes, triangles and rays, in
     /// the three channels. A build of its own, which counts; the job's times are not those of the usual one.
     bool cost = false;
+    std::optional<RunCut> cut{};  ///< of an image that several devices make; nothing: what suits this one
 };
 
 /// The four timestamps of one launch's event, nanoseconds of the device's clock.
@@ -70,6 +73,19 @@ class Render {
     virtual std::uint64_t device_bytes() const = 0;
     /// What the kernels did since the film was empty; nothing unless their program is an instrumented build.
     virtual std::optional<Counts> counts() const { return std::nullopt; }
+};
+
+/// A render that may be of parts of an image, others of which other devices make.
+class PartRender : public Render {
+  public:
+    virtual RunCut cut() const = 0;
+    /// Of the whole image.
+    virtual std::uint64_t parts() const = 0;
+    /// What is to be rendered next; the film keeps what it has.
+    virtual void take(PartRange parts) = 0;
+    /// Of what was taken, those not rendered yet.
+    virtual PartRange parts_left() const = 0;
+    virtual FilmSums read_sums() = 0;
 };
 
 /// The four timestamps of finished events; zeros where the device does not profile.

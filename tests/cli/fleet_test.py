@@ -215,6 +215,17 @@ class Equals(FleetTest):
         self.assertIn("drift: ECC is off on n3 (1 devices), unknown on most", report)
         self.assertIn("drift: kernel is Linux 1.0 on n3", report)
 
+    def test_an_interrupted_confirmation_says_what_it_measured(self):
+        self.write("n6", slower=0.12)
+        self.report()
+        with self.scratch.start("--fleet", "F", "--confirm", SLURMD_NODENAME="n6") as process:
+            for line in process.stderr:
+                if line.startswith("[3/5]"):
+                    process.send_signal(signal.SIGINT)
+            said = process.stdout.read()
+        self.assertEqual(process.returncode, 130)
+        self.assertEqual(said, "n6: 2 sessions measured; 2 of 40 are there\n")
+
     def test_a_slow_card_is_suspected_confirmed_and_called_slow(self):
         self.write("n6", slower=0.12)
         report = self.report().stdout

@@ -145,6 +145,37 @@ TEST(Determinism, seed_changes_the_picture) {
     });
 }
 
+/// The film of some parts of an image, cut into runs as another device was.
+FilmSums sums_of_parts(const ocl::Device& device, const Integrator& row, const Scene& scene, RenderJob job,
+                       RunCut cut, std::vector<PartRange> ranges) {
+    job.cut = cut;
+    const ocl::Program program =
+        ocl::build(device, kernel_source(row.file()), row.options(device, scene, job));
+    const auto render = row.make_parts(device, program, scene, job);
+    for (const PartRange& range : ranges) {
+        render->take(range);
+        while (render->samples_left() > 0) render->advance(whole);
+    }
+    return render->read_sums();
+}
+
+TEST(Determinism, parts_of_an_image_add_up_to_it_in_any_order) {
+    const Scene scene = shipped_scene("thesis");
+    on_everything([&](const ocl::Device& device, const Integrator& row, int lanes) {
+        if (!row.has_parts()) return;
+        RenderJob job = small_job(lanes);
+        const RunCut cut{2, 3};
+        job.cut = cut;
+        const Film alone = render_film(device, row.id, scene, job);
+        const std::uint64_t all = 3 * job.size.pixels();  // rounds of three samples at most
+        FilmSums sums = sums_of_parts(device, row, scene, job, cut, {{1000, 1700}, {100, 200}});
+        add_sums(sums, sums_of_parts(device, row, scene, job, cut, {{1700, all}, {0, 100}, {200, 1000}}));
+        const Film together = film_of(sums);
+        expect_same(together, alone);
+        EXPECT_EQ(together.hash, alone.hash);
+    });
+}
+
 /// Renders the scene for each value of an axis that `row` takes, and compares with the first one's film.
 /// Returns how many there were beside the first.
 int expect_same_along(const std::string& axis_name, const ocl::Device& device, const Integrator& row,

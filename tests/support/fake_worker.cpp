@@ -185,6 +185,9 @@ void answer(const Request& request) {
             return answer_peaks();
         case Request::Kind::render:
         case Request::Kind::stop:
+        case Request::Kind::share_picture:
+        case Request::Kind::render_parts:
+        case Request::Kind::give_film:
             return;
     }
 }

@@ -122,7 +122,11 @@ TEST(Axis, values_written_are_values_read) {
                                                           {"lanes", "16"},
                                                           {"work_group", "implicit"},
                                                           {"work_group", "64"},
-                                                          {"work_group", "64x1"}}) {
+                                                          {"work_group", "64x1"},
+                                                          {"devices", "3"},
+                                                          {"devices", "all"},
+                                                          {"together", "gpus"},
+                                                          {"together", "all"}}) {
         set_case_value(c, axis, value);
         EXPECT_EQ(case_value(c, axis), value);
     }
@@ -135,7 +139,7 @@ TEST(Axis, names_are_in_nesting_order) {
     EXPECT_THAT(axis_names(),
                 ElementsAre("kernel", "scene", "size", "spp", "path_length", "scene_memory", "film_memory",
                             "queue", "dispatch", "pixel_filter", "rng", "roulette", "build", "bvh",
-                            "bvh_split", "ray_kind", "lanes", "work_group"));
+                            "bvh_split", "ray_kind", "lanes", "work_group", "devices", "together"));
 }
 
 TEST(NearestMatch, finds_typing_errors_and_nothing_else) {

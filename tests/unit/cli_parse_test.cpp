@@ -47,7 +47,7 @@ TEST(cli_parse, commands_are_told_apart) {
     EXPECT_TRUE(parse_options({"worker", "--probe"}).worker.probe);
     const RenderFlags render =
         parse_options({"render", "-d", "0", "--spp", "16", "--scene", "thesis", "-o", "x.png"}).render;
-    EXPECT_EQ(render.device, "0");
+    EXPECT_EQ(render.devices, std::vector<std::string>{"0"});
     EXPECT_EQ(render.output, "x.png");
     EXPECT_EQ(render.axis_values.at("spp"), "16");
     EXPECT_FALSE(render.time_s);

@@ -111,4 +111,50 @@ TEST(Runs, are_single_samples_where_lanes_are_many_and_never_longer_than_a_devic
     EXPECT_EQ(make_runs(5, 25, 512).count(), 1u) << "as short as the last one of a round";
 }
 
+/// Pieces of at most so many samples, with what they hold.
+std::vector<UnitPiece> pieces(UnitCut& cut, std::uint64_t samples) {
+    std::vector<UnitPiece> all;
+    while (cut.samples_left() > 0) {
+        all.push_back(cut.next(samples));
+        cut.step_over(all.back());
+    }
+    return all;
+}
+
+TEST(UnitCut, takes_whole_rounds_where_the_budget_holds_them) {
+    UnitCut cut(make_runs(1000, 100, 256), 10, 1000);
+    EXPECT_EQ(cut.samples_left(), 10'000u);
+    EXPECT_EQ(cut.parts(), 40u) << "four rounds of ten pixels";
+    const auto two_at_once = pieces(cut, 5000);
+    ASSERT_EQ(two_at_once.size(), 2u);
+    EXPECT_EQ(two_at_once[1].first_run, 6u);
+    EXPECT_EQ(two_at_once[1].units, 60u) << "ten pixels, two rounds of three runs";
+}
+
+TEST(UnitCut, takes_bands_of_pixels_with_all_runs_of_a_round_where_it_does_not) {
+    UnitCut cut(make_runs(1000, 100, 256), 10, 1000);
+    const auto bands = pieces(cut, 1000);
+    ASSERT_EQ(bands.size(), 12u) << "4, 4 and 2 pixels a round";
+    EXPECT_EQ(bands[1].first_pixel, 4u);
+    EXPECT_EQ(bands[1].units, 12u);
+    EXPECT_EQ(bands[3].first_run, 3u);
+    cut.restart();
+    EXPECT_EQ(pieces(cut, 1).size(), 40u) << "a part is the least";
+}
+
+TEST(UnitCut, of_some_parts_ends_with_them) {
+    UnitCut cut(make_runs(1000, 100, 256), 10, 1000);
+    cut.take({5, 25});
+    EXPECT_EQ(cut.samples_left(), 20u * 250);
+    const auto some = pieces(cut, 1'000'000);
+    ASSERT_EQ(some.size(), 3u) << "the rest of a round, a whole one, and a part of the next";
+    EXPECT_EQ(some[0].first_pixel, 5u);
+    EXPECT_EQ(some[1].pixels, 10u);
+    EXPECT_EQ(some[2].pixels, 5u);
+    EXPECT_EQ(some[2].first_run, 6u);
+    EXPECT_EQ(cut.left(), (PartRange{25, 25}));
+    cut.restart();
+    EXPECT_EQ(cut.left(), (PartRange{0, 40}));
+}
+
 }  // namespace

@@ -97,5 +97,16 @@ TEST(Expand, quick_config_holds_the_thesis_spps_and_both_models_of_work_groups) 
                     "pt 128x128 4 128 64", "pt 128x128 4 128 256"));
 }
 
+TEST(Expand, a_picture_of_several_devices_is_planned_with_the_first_of_their_type) {
+    std::vector<DeviceInfo> found = devices({"cpu", "gpu0", "gpu1", "gpu2"});
+    found[0].type = "CPU";
+    for (std::size_t i = 1; i < found.size(); ++i) found[i].type = "GPU";
+    const Config three = config(R"([{"devices": ["all", 2, 1]}])");
+    EXPECT_THAT(texts(expand(three, found), {"device", "devices"}),
+                ElementsAre("cpu 1", "cpu 2", "gpu0 3", "gpu0 2", "gpu0 1", "gpu1 1", "gpu2 1"))
+        << "all CPUs are one: no case of its own";
+    EXPECT_THAT(texts(expand(three, {DeviceInfo()}), {"devices"}), ElementsAre("all", "2", "1"));
+}
+
 }  // namespace
 }  // namespace ptb

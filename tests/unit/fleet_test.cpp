@@ -387,6 +387,16 @@ TEST_F(FleetFiles, records_are_merged_in_the_order_of_nodes_devices_and_plan) {
     EXPECT_EQ(merged.devices[1].node, "n2");
 }
 
+TEST_F(FleetFiles, a_merge_that_fails_leaves_the_result_as_it_was) {
+    add_node("n1", "now");
+    begin();
+    ResultFile run = read_run(folder.journal("n1"));
+    run.cases.back().params.spp = 3;  // of no plan
+    Journal(folder.journal("n1"), run);
+    EXPECT_THROW(merge(folder), UsageError);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), {}), 2) << "plan.json and nodes";
+}
+
 TEST_F(FleetFiles, is_whole_when_all_that_are_expected_have_finished) {
     add_node("n1", "now");
     EXPECT_FALSE(is_whole(folder, plan()));

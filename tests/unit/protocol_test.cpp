@@ -32,7 +32,14 @@ TEST(Protocol, requests_survive_the_line) {
     render.kind = Request::Kind::render;
     stop.kind = Request::Kind::stop;
     stop.number = 7;
-    for (const Request& request : {open, run_request(), estimate, peaks, render, stop}) {
+    Request share = run_request(), parts, film;
+    share.kind = Request::Kind::share_picture;
+    share.cut = RunCut{21, 512};
+    parts.kind = Request::Kind::render_parts;
+    parts.parts = {1'000'000'000'000, 1'000'000'000'007};
+    film.kind = Request::Kind::give_film;
+    film.film_file = "/dev/shm/0";
+    for (const Request& request : {open, run_request(), estimate, peaks, render, stop, share, parts, film}) {
         const auto line = to_line(request);
         EXPECT_THAT(line, EndsWith("}\n"));
         EXPECT_EQ(line.find('\n'), line.size() - 1) << "a message is one line";

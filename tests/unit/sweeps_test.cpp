@@ -1,3 +1,5 @@
+#include <map>
+
 #include <gmock/gmock.h>
 
 #include "bench/compare/row.h"
@@ -49,7 +51,10 @@ std::vector<std::string> column(const Section& section, const std::string& title
 std::string another(const std::string& name) {
     for (const VariantAxis& axis : variant_axes())
         if (axis.name == name) return axis.values.back();
-    return name == "path_length" ? "5" : "other";
+    const std::map<std::string, std::string> others{
+        {"path_length", "5"}, {"devices", "2"}, {"together", "gpus"}};
+    const auto found = others.find(name);
+    return found == others.end() ? "other" : found->second;
 }
 
 class EachAxis : public testing::TestWithParam<std::string> {};

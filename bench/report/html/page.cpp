@@ -94,8 +94,8 @@ std::string tables(const PageRun& run, std::size_t index) {
     std::string html;
     const ResultFile& r = run.result;
     for (const Section& section :
-         {devices_section(r), kernels_section(r), peaks_section(r.peaks), limits_section(r.cases),
-          trees_section(r.cases), fits_section(r), problems_section(r)})
+         {devices_section(r), kernels_section(r), shared_section(r), peaks_section(r.peaks),
+          limits_section(r.cases), trees_section(r.cases), fits_section(r), problems_section(r)})
         if (!section.grid.rows.empty()) html += to_html(section);
     for (const Section& section : {efficiency_section(r), noise_section(r)})
         html += leading_table(section, index, "noise");

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <future>
+#include <string>
+#include <utility>
+
+#include <boost/asio/post.hpp>
+#include <boost/asio/thread_pool.hpp>
+
+#include "bench/worker/device_worker.h"
+
+namespace ptb {
+
+/// One device of a crew. What talks to its worker runs in its own thread, which no worker outlives.
+struct CrewMember {
+    CrewMember(const DeviceInfo& its_device, const OpenChannel& open, const MeasureOptions& measure)
+        : device(its_device), worker(its_device, open, measure) {}
+    ~CrewMember() {
+        start([this] { worker.close(); }).wait();
+    }
+    CrewMember(const CrewMember&) = delete;
+    CrewMember& operator=(const CrewMember&) = delete;
+
+    template <class Work>
+    std::future<void> start(Work&& work) {
+        std::packaged_task<void()> task(std::forward<Work>(work));
+        auto done = task.get_future();
+        boost::asio::post(thread, std::move(task));
+        return done;
+    }
+
+    DeviceInfo device;
+    DeviceWorker worker;
+    int workers_left = 2;     ///< that may be started: one may die
+    std::string gone{};       ///< why it makes nothing any more
+    bool is_sharing = false;  ///< its worker knows the picture
+    double ns_per_sample = 0;
+    double kept_s = 0, busy_s = 0;           ///< making what it did not, and did deliver
+    double kept_device_s = 0, device_s = 0;  ///< by its own clock
+    boost::asio::thread_pool thread{1};
+};
+
+}  // namespace ptb

@@ -1,0 +1,271 @@
+#include "bench/together/picture_crew.h"
+
+#include <algorithm>
+#include <exception>
+#include <future>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "bench/measure/clock.h"
+#include "bench/together/crew_member.h"
+#include "bench/together/film_folder.h"
+#include "bench/together/hand_out.h"
+#include "bench/worker/film_file.h"
+
+namespace ptb {
+namespace {
+
+/// While one process is started, no other one may be: it would inherit the pipes.
+OpenChannel one_at_a_time(const OpenChannel& open) {
+    return [open, mutex = std::make_shared<std::mutex>()](const DeviceInfo& device) {
+        const std::lock_guard lock(*mutex);
+        return open(device);
+    };
+}
+
+Request request_of(Request::Kind kind, const Case& params = {}) {
+    Request request;
+    request.kind = kind;
+    request.params = params;
+    return request;
+}
+
+/// Waits for all, then throws what went wrong first.
+void wait_for(std::vector<std::future<void>>& all) {
+    for (auto& each : all) each.wait();
+    for (auto& each : all) each.get();
+}
+
+}  // namespace
+
+std::uint64_t SharedPicture::parts_made() const {
+    std::uint64_t made = 0;
+    for (const DeviceParts& each : by) made += each.count();
+    return made;
+}
+
+double SharedPicture::parts_per_s() const {
+    return wall_s > 0 ? static_cast<double>(parts_made()) / wall_s : 0;
+}
+
+double SharedPicture::efficiency() const {
+    double all = 0;
+    for (const DeviceParts& each : by) all += each.parts_per_s();
+    return all > 0 ? parts_per_s() / all : 0;
+}
+
+double SharedPicture::speedup() const {
+    const double first = by.empty() ? 0 : by.front().parts_per_s();
+    return first > 0 ? parts_per_s() / first : 0;
+}
+
+struct PictureCrew::Impl {
+    SharedJob job;
+    Stopped stopped;
+    std::optional<RunCut> cut;
+    std::uint64_t part_count = 0;
+    std::mutex mutex;  ///< of what follows, which threads share
+    std::vector<std::string> remarks;
+    std::vector<std::unique_ptr<CrewMember>> members;  ///< the last: their threads use the others
+
+    Impl(const SharedJob& its_job, const OpenChannel& open, Stopped is_stopped)
+        : job(its_job), stopped(std::move(is_stopped)), cut(its_job.cut) {
+        const OpenChannel alone = one_at_a_time(open);
+        for (const DeviceInfo& device : job.devices)
+            members.push_back(std::make_unique<CrewMember>(device, alone, job.measure));
+        on_all([this](CrewMember& member, std::size_t) { build(member); });
+        for (auto& member : members)
+            if (!cut) member->start([this, &m = *member] { begin(m); }).get();
+        on_all([this](CrewMember& member, std::size_t) { begin(member); });
+        check_anybody_left();
+    }
+
+    template <class Work>
+    void on_all(Work work) {
+        std::vector<std::future<void>> all;
+        for (std::size_t i = 0; i < members.size(); ++i)
+            all.push_back(members[i]->start([&work, &m = *members[i], i] { work(m, i); }));
+        wait_for(all);
+    }
+
+    void check_anybody_left() const {
+        const auto is_gone = [](const auto& member) { return !member->gone.empty(); };
+        if (std::all_of(members.begin(), members.end(), is_gone) && !stopped())
+            throw std::runtime_error(
+                fmt::format("{}: {}", members.front()->device.key, members.front()->gone));
+    }
+
+    /// The answer, or nothing where the worker is lost. Throws UsageError for what a device cannot do.
+    std::optional<Response> ask(CrewMember& member, const Request& request) {
+        if (!member.worker.ready()) {
+            member.gone = member.worker.given_up().empty() ? "interrupted" : member.worker.given_up();
+            return std::nullopt;
+        }
+        const Reply reply = member.worker.request(request, [](const Response&) {});
+        if (reply.end != Reply::End::answered) {
+            lose_worker(member, reply);
+            return std::nullopt;
+        }
+        if (reply.response.kind == Response::Kind::refused)
+            throw UsageError(fmt::format("{}: {}", member.device.key, reply.response.reason));
+        if (reply.response.kind == Response::Kind::failed) {
+            lose_worker(member, reply);
+            return std::nullopt;
+        }
+        return reply.response;
+    }
+
+    void lose_worker(CrewMember& member, const Reply& reply) {
+        member.worker.close();
+        member.is_sharing = false;
+        member.kept_s = member.kept_device_s = 0;
+        const std::string& reason = reply.end == Reply::End::answered ? reply.response.reason : reply.reason;
+        if (reply.end == Reply::End::interrupted || --member.workers_left == 0) member.gone = reason;
+        if (reply.end == Reply::End::interrupted) return;
+        const std::lock_guard lock(mutex);
+        remarks.push_back(fmt::format("{}: {}; what it made is made again", member.device.key, reason));
+    }
+
+    Case params_of(const CrewMember& member) const {
+        Case params = job.params;
+        params.device = member.device.key;
+        return params;
+    }
+
+    /// Compiles, and learns how fast the device is.
+    void build(CrewMember& member) {
+        while (member.gone.empty())
+            if (ask(member, request_of(Request::Kind::estimate, params_of(member)))) return;
+    }
+
+    /// False where the device is gone.
+    bool begin(CrewMember& member) {
+        Request request = request_of(Request::Kind::share_picture, params_of(member));
+        request.cut = cut;
+        while (member.gone.empty() && !member.is_sharing) {
+            const auto sharing = ask(member, request);
+            if (!sharing) continue;
+            member.is_sharing = true;
+            member.ns_per_sample = sharing->ns_per_sample;
+            const std::lock_guard lock(mutex);
+            if (!cut) cut = sharing->cut;
+            part_count = sharing->part_count;
+        }
+        return member.gone.empty();
+    }
+
+    std::vector<double> speeds() const {
+        const double samples = static_cast<double>(job.params.size.pixels()) * job.params.spp;
+        std::vector<double> parts_per_s;
+        for (const auto& member : members)
+            parts_per_s.push_back(member->gone.empty() ? static_cast<double>(part_count) /
+                                                             (samples * member->ns_per_sample * 1e-9)
+                                                       : 0);
+        return parts_per_s;
+    }
+
+    SharedPicture make(HandOut& hand_out, const SharedProgress& progress);
+    void work(CrewMember& member, std::size_t index, HandOut& hand_out, const FilmFolder& films,
+              const SharedProgress& progress, SharedPicture& picture);
+    void make_parts(CrewMember& member, std::size_t index, HandOut& hand_out, const SharedProgress& progress);
+    void deliver(CrewMember& member, std::size_t index, HandOut& hand_out, const FilmFolder& films,
+                 SharedPicture& picture);
+};
+
+SharedPicture PictureCrew::Impl::make(HandOut& hand_out, const SharedProgress& progress) {
+    SharedPicture picture;
+    const FilmFolder films(members.size() * (job.params.size.pixels() * sizeof(FilmPixel) + 4096));
+    for (auto& member : members)
+        member->kept_s = member->busy_s = member->kept_device_s = member->device_s = 0;
+    const std::int64_t begin_ns = now_ns();
+    on_all([&](CrewMember& member, std::size_t i) { work(member, i, hand_out, films, progress, picture); });
+    picture.wall_s = seconds_since(begin_ns);
+    picture.part_count = part_count;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        const DeviceInfo& device = members[i]->device;
+        picture.by.push_back({device.key, device.name, device.driver_version, hand_out.delivered_by(i),
+                              members[i]->busy_s, members[i]->device_s});
+    }
+    picture.remarks = std::exchange(remarks, {});
+    if (!picture.whole()) check_anybody_left();
+    return picture;
+}
+
+void PictureCrew::Impl::work(CrewMember& member, std::size_t index, HandOut& hand_out,
+                             const FilmFolder& films, const SharedProgress& progress,
+                             SharedPicture& picture) {
+    try {
+        do {
+            make_parts(member, index, hand_out, progress);
+            deliver(member, index, hand_out, films, picture);
+        } while (member.gone.empty() && hand_out.wait_for_more(index));
+    } catch (...) {
+        hand_out.stop();
+        throw;
+    }
+}
+
+void PictureCrew::Impl::make_parts(CrewMember& member, std::size_t index, HandOut& hand_out,
+                                   const SharedProgress& progress) {
+    Request request = request_of(Request::Kind::render_parts);
+    while (begin(member)) {
+        if (stopped()) hand_out.stop();
+        const auto parts = hand_out.next(index);
+        if (!parts) return;
+        request.parts = *parts;
+        const auto done = ask(member, request);
+        if (!done) {
+            hand_out.lost(index);
+            continue;
+        }
+        hand_out.made(index, done->parts.end, done->seconds);
+        member.kept_s += done->seconds;
+        member.kept_device_s += done->device_s;
+        const std::lock_guard lock(mutex);
+        progress(static_cast<double>(hand_out.made_so_far()) / static_cast<double>(part_count));
+    }
+}
+
+void PictureCrew::Impl::deliver(CrewMember& member, std::size_t index, HandOut& hand_out,
+                                const FilmFolder& films, SharedPicture& picture) {
+    if (!hand_out.has_to_deliver(index)) return;
+    Request request = request_of(Request::Kind::give_film);
+    request.film_file = films.file(std::to_string(index)).string();
+    if (!ask(member, request)) {
+        hand_out.lost(index);
+        return;
+    }
+    FilmSums sums = read_film(request.film_file);
+    const std::lock_guard lock(mutex);
+    if (picture.sums)
+        add_sums(*picture.sums, sums);
+    else
+        picture.sums = std::move(sums);
+    member.busy_s += std::exchange(member.kept_s, 0);
+    member.device_s += std::exchange(member.kept_device_s, 0);
+    hand_out.delivered(index);
+}
+
+PictureCrew::PictureCrew(const SharedJob& job, const OpenChannel& open, const Stopped& stopped)
+    : impl_(std::make_unique<Impl>(job, open, stopped)) {}
+PictureCrew::~PictureCrew() = default;
+
+RunCut PictureCrew::cut() const { return impl_->cut.value_or(RunCut{}); }
+std::uint64_t PictureCrew::part_count() const { return impl_->part_count; }
+
+SharedPicture PictureCrew::make(const std::vector<PartRange>& parts, const SharedProgress& progress) {
+    HandOut hand_out(parts, impl_->job.params.size.pixels(), impl_->speeds());
+    return impl_->make(hand_out, progress);
+}
+
+SharedPicture PictureCrew::repeat(const std::vector<DeviceParts>& by, const SharedProgress& progress) {
+    std::vector<std::vector<PartRange>> own;
+    for (const DeviceParts& each : by) own.push_back(each.parts);
+    HandOut hand_out(std::move(own));
+    return impl_->make(hand_out, progress);
+}
+
+}  // namespace ptb

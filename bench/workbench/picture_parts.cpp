@@ -1,0 +1,39 @@
+#include "bench/workbench/picture_parts.h"
+
+#include <fmt/format.h>
+
+#include "bench/measure/clock.h"
+#include "bench/workbench/outcome.h"
+
+namespace ptb {
+namespace {
+
+std::unique_ptr<PartRender> make_parts(Builds& builds, const CaseJob& job) {
+    if (job.kernel->has_parts()) return builds.make_parts(job);
+    throw Unsupported(
+        fmt::format("kernel {}: several devices cannot share its pictures, since a pixel's samples follow "
+                    "from each other",
+                    job.params.kernel));
+}
+
+}  // namespace
+
+PictureParts::PictureParts(Builds& builds, Pace& pace, const CaseJob& job)
+    : pace_(pace), job_(job), render_(make_parts(builds, job)) {}
+
+PartsDone PictureParts::render(PartRange parts, const Progress& progress) {
+    const std::int64_t begin = now_ns();
+    render_->take(parts);
+    const TimedRender timed = timed_rest(*render_, pace_.timing(job_, progress));
+    return {{parts.first, render_->parts_left().first},
+            seconds_since(begin),
+            static_cast<double>(timed.time.kernel_ns) * 1e-9};
+}
+
+FilmSums PictureParts::take_film() {
+    FilmSums sums = render_->read_sums();
+    render_->restart();
+    return sums;
+}
+
+}  // namespace ptb

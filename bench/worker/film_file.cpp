@@ -1,0 +1,92 @@
+#include "bench/worker/film_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "bench/record/fields.h"
+#include "core/file/replace_file.h"
+
+namespace ptb {
+
+/// The first line of a film's file.
+struct FilmHeader {
+    std::string schema;
+    int width = 0, height = 0, radiance_scale = 0, squares_scale = 0;
+    bool variance = false;
+    std::uint64_t light_segments = 0;
+};
+
+template <>
+inline constexpr auto fields<FilmHeader> = std::make_tuple(
+    required("schema", &FilmHeader::schema), required("width", &FilmHeader::width),
+    required("height", &FilmHeader::height), required("radiance_scale", &FilmHeader::radiance_scale),
+    required("squares_scale", &FilmHeader::squares_scale), required("variance", &FilmHeader::variance),
+    required("light_segments", &FilmHeader::light_segments));
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* film_schema = "ptbench.film.v1";
+
+FilmHeader header_of(const FilmSums& sums) {
+    return {film_schema,        sums.size.width,   sums.size.height,   sums.scale.radiance,
+            sums.scale.squares, sums.has_variance, sums.light_segments};
+}
+
+[[noreturn]] void fail(const fs::path& file, const std::string& reason) {
+    throw std::runtime_error(fmt::format("{}: {}", file.string(), reason));
+}
+
+std::streamsize bytes_of(const FilmSums& sums) {
+    return static_cast<std::streamsize>(sums.pixels.size() * sizeof(FilmPixel));
+}
+
+FilmSums described_by(const std::string& line, const fs::path& file) {
+    FilmHeader header;
+    const std::string origin = file.string();
+    decode(parse_json(line, origin), Where(origin), header);
+    if (header.schema != film_schema || header.width < 1 || header.height < 1) fail(file, "is no film");
+    return {{header.width, header.height},
+            {header.radiance_scale, header.squares_scale},
+            header.variance,
+            {},
+            header.light_segments};
+}
+
+}  // namespace
+
+void write_film(const fs::path& file, const FilmSums& sums) {
+    const fs::path temporary = temporary_beside(file);
+    std::ofstream out(temporary, std::ios::binary);
+    out << dump_json(encode(header_of(sums))) << '\n';
+    out.write(reinterpret_cast<const char*>(sums.pixels.data()), bytes_of(sums));
+    out.close();
+    if (!out) {
+        const std::string reason = std::strerror(errno);
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+        fail(file, "cannot be written: " + reason);
+    }
+    if (const std::error_code error = put_in_place(temporary, file))
+        fail(file, "cannot be written: " + error.message());
+}
+
+FilmSums read_film(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string line;
+    if (!std::getline(in, line)) fail(file, "cannot be read");
+    FilmSums sums = described_by(line, file);
+    const auto bytes = static_cast<std::uintmax_t>(sums.size.pixels()) * sizeof(FilmPixel);
+    if (fs::file_size(file) != line.size() + 1 + bytes) fail(file, "is not a whole film");
+    sums.pixels.resize(sums.size.pixels());
+    if (!in.read(reinterpret_cast<char*>(sums.pixels.data()), bytes_of(sums))) fail(file, "cannot be read");
+    return sums;
+}
+
+}  // namespace ptb

@@ -1,0 +1,150 @@
+"""`ptbench render` by several devices: the bits of one, who made what, and that again."""
+
+import json
+import re
+import signal
+import time
+import zlib
+
+import unittest
+
+from formats import pfm_pixels
+from ptbench import CliTest
+
+WORK = ("render", "--size", "48x32", "--spp", "40", "--path-length", "6")
+BOTH = ("-d", "0,1")
+
+
+def parts_of(ranges):
+    return sorted(tuple(pair) for device in ranges["devices"] for pair in device["parts"])
+
+
+class Together(CliTest):
+    def picture(self, *words, name="x.pfm"):
+        self.run_ok(*words, "-o", name, "-q")
+        return (self.scratch.work / name).read_bytes()
+
+    def ranges(self, name="x.pfm"):
+        return json.loads((self.scratch.work / f"{name}.ranges.json").read_text())
+
+    def test_two_devices_make_the_bits_of_one(self):
+        for kernel in ("pt", "bdpt"):  # what one pixel's samples add to others, too
+            with self.subTest(kernel):
+                words = (*WORK, "--kernel", kernel)
+                alone = self.picture(*words, "-d", "0")
+                self.assertEqual(self.picture(*words, *BOTH), alone)
+                self.assertEqual(self.picture(*words, "-d", "pocl:1", "-d", "pocl:0"), alone)
+
+    def test_every_part_is_made_once_and_it_is_said_by_whom(self):
+        said = self.run_ok(*WORK, *BOTH, "-o", "x.pfm").stderr
+        ranges = self.ranges()
+        ends = [0]
+        for first, end in parts_of(ranges):
+            self.assertEqual(first, ends[-1])
+            ends.append(end)
+        self.assertEqual(ends[-1], ranges["part_count"])
+        self.assertEqual([device["device"] for device in ranges["devices"]], ["pocl:0", "pocl:1"])
+        self.assertEqual((ranges["params"]["spp"], ranges["seed"]), (40, 1))
+        self.assertRegex(said, r"^written: x.pfm x.pfm.ranges.json \(pocl:0 [\d.]+ %, pocl:1 [\d.]+ %; [\d.]+ s, [\d.]+ % of the "
+                               rf"devices' speeds together; film {ranges['film_hash']}\)\n$")
+
+    def test_the_picture_says_it_too(self):
+        for name in ("x.exr", "x.ppm", "x.png"):
+            with self.subTest(name):
+                content = self.picture(*WORK, *BOTH, name=name)
+                beside = (self.scratch.work / f"{name}.ranges.json").read_bytes().strip()
+                if name.endswith("png"):
+                    text = content[content.index(b"zTXtptbench.ranges\0\0") + len("zTXtptbench.ranges\0\0"):]
+                    self.assertEqual(zlib.decompressobj().decompress(text), beside)
+                else:
+                    self.assertIn(beside, content)
+
+    def test_ranges_repeat_who_made_what(self):
+        first = self.picture(*WORK, *BOTH, "--seed", "5")
+        again = self.picture("render", "--ranges", "x.pfm.ranges.json", name="y.pfm")
+        self.assertEqual(again, first)
+        for key in ("seed", "film_hash", "cut", "params"):
+            self.assertEqual(self.ranges("y.pfm")[key], self.ranges()[key])
+        self.assertEqual([d["parts"] for d in self.ranges("y.pfm")["devices"]], [d["parts"] for d in self.ranges()["devices"]])
+
+    def test_a_repetition_that_comes_out_otherwise_is_a_wrong_picture(self):
+        self.picture(*WORK, *BOTH)
+        changed = {**self.ranges(), "film_hash": "0" * 16}
+        self.scratch.write("other.json", changed)
+        said = self.run_ok("render", "--ranges", "other.json", "-o", "y.pfm", code=4).stderr
+        self.assertIn("a device computes otherwise", said)
+
+    def test_what_cannot_be_repeated_is_refused(self):
+        self.picture(*WORK, *BOTH)
+        ranges = self.ranges()
+        twice = {**ranges, "devices": [ranges["devices"][0], {**ranges["devices"][0], "device": "pocl:1"}]}
+        gone = {**ranges, "devices": [{**ranges["devices"][0], "device": "pocl:7", "parts": [[0, ranges["part_count"]]]}]}
+        for changed, says, code in [
+            ({**ranges, "facts": {**ranges["facts"], "kernel pt": "0"}}, "kernel pt", 7),
+            ({**ranges, "scene_hash": "0"}, "scene thesis", 7),
+            ({**ranges, "devices": [{**device, "name": "other"} for device in ranges["devices"]]}, "other", 7),
+            (twice, "/devices: ", 2),
+            (gone, "pocl:7", 2),
+            ({}, '"schema" is not "ptbench.ranges.v1"', 2),
+        ]:
+            with self.subTest(says):
+                self.scratch.write("other.json", changed)
+                self.assert_refused("render", "--ranges", "other.json", "-o", "y.pfm", says=says, code=code)
+
+    def test_what_several_devices_cannot_do_is_refused(self):
+        self.scratch.write("r.json", {})
+        for words, says in [
+            (("--kernel", "thesis"), "several devices cannot share its pictures"),
+            (("--time", "1"), "--time: found beside 2 devices"),
+            (("--launcher", "env"), "--launcher: found beside 2 devices"),
+            (("--ranges", "r.json"), "--ranges"),
+        ]:
+            with self.subTest(words):
+                self.assert_refused("render", *BOTH, *words, "-o", "x.pfm", says=says)
+        self.assert_refused("render", "--ranges", "r.json", "--spp", "4", "-o", "x.pfm", says="--ranges: found beside axes")
+        self.assert_refused("render", "-d", "0,7", "-o", "x.pfm", says='"7" matches none')
+
+    def test_a_worker_that_is_killed_costs_what_it_made(self):
+        words = ("render", "--size", "64", "--spp", "3000", "--path-length", "6")
+        alone = self.picture(*words, "-d", "0")
+        process = self.start(*words, *BOTH, "-o", "y.pfm")
+        workers = lambda: [pid for pid in self.scratch.processes() if b"pocl:1" in command_of(pid)]  # noqa: E731
+        self.wait_for(workers, process)
+        time.sleep(1.5)  # it may be starting, building, rendering
+        for pid in workers():
+            kill(pid)
+        _, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 0, err)
+        self.assertEqual((self.scratch.work / "y.pfm").read_bytes(), alone)
+        self.assertEqual(self.scratch.processes(), [])
+
+    def test_interruption_keeps_what_all_have_made(self):
+        words = ("render", "--size", "32", "--path-length", "5")
+        _, whole = pfm_pixels(self.picture(*words, "-d", "0", "--spp", "1000"))
+        process = self.start(*words, *BOTH, "--spp", "50000000", "-o", "part.pfm")
+        time.sleep(5)
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=30)
+        self.assertEqual(process.returncode, 130, err)
+        self.assertTrue(re.search(r"interrupted: as far as it got\)\n$", err), err)
+        _, part = pfm_pixels((self.scratch.work / "part.pfm").read_bytes())
+        self.assertAlmostEqual(sum(part) / sum(whole), 1, delta=0.1)
+        self.assertEqual(self.scratch.processes(), [])
+
+
+def command_of(pid):
+    try:
+        with open(f"/proc/{pid}/cmdline", "rb") as file:
+            return file.read()
+    except OSError:
+        return b""
+
+
+def kill(pid):
+    import os
+
+    os.kill(int(pid), signal.SIGKILL)
+
+
+if __name__ == "__main__":
+    unittest.main()
