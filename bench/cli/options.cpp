@@ -301,6 +301,12 @@ struct Grammar {
             ->excludes(devices)
             ->excludes(seed)
             ->excludes(time);
+        auto* const fleet = render->add_option(
+            "--fleet", flags.fleet,
+            "one picture by several nodes, which share this folder; the last one writes it");
+        fleet->excludes(time)->excludes(render->get_option("--ranges"));
+        render->add_option("--expect", flags.expect, "the nodes: n1,n[3-7] [those of Slurm's job]")
+            ->needs(fleet);
         render->add_option("-a,--axis", flags.axes, "an axis' value: pixel_filter=centre; repeatable")
             ->allow_extra_args(false)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

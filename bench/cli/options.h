@@ -49,6 +49,8 @@ struct RenderFlags {
     std::vector<std::string> devices;  ///< selectors, as often with commas
     std::string output, aov;
     std::string ranges;  ///< file that says who is to make what, or empty
+    std::string fleet;   ///< folder that nodes share, or empty
+    std::string expect;  ///< its nodes, or empty: those of Slurm's job
     std::vector<std::string> axes;
     std::map<std::string, std::string> axis_values;
     std::uint64_t seed = 1;

@@ -1,7 +1,7 @@
 #include "bench/cli/render_together.h"
 
 #include <algorithm>
-#include <chrono>
+#include <memory>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,9 +12,12 @@
 #include "bench/cli/outputs.h"
 #include "bench/cli/rendering.h"
 #include "bench/cli/tell.h"
+#include "bench/fleet/nodes.h"
 #include "bench/plan/data_dir.h"
 #include "bench/plan/scene_file.h"
 #include "bench/together/picture_crew.h"
+#include "bench/together/picture_folder.h"
+#include "core/file/path_lock.h"
 #include "core/image/image_io.h"
 #include "core/render/render.h"
 #include "core/scene/content.h"
@@ -189,6 +192,84 @@ int render_together(const Options& options, const Case& params, const std::vecto
     tell(options.common, fmt::format("error: --ranges: film {} where {} has {}: a device computes otherwise",
                                      film.hash, flags.ranges, repeated->film_hash));
     return exit_codes::wrong_image;
+}
+
+namespace {
+
+std::vector<std::string> nodes_told(const RenderFlags& flags) {
+    return flags.expect.empty() ? nodes_of_job() : nodes_in(flags.expect, "--expect");
+}
+
+/// A crew that cuts the picture as the folder says, which this node may have begun. `ranges` becomes the
+/// folder's.
+std::unique_ptr<PictureCrew> joined_crew(SharedJob job, const OpenChannel& open, const Stopped& stopped,
+                                         PictureFolder& folder, std::size_t nodes, PictureRanges& ranges) {
+    if (const auto begun = folder.begun()) job.cut = begun->cut;
+    auto crew = std::make_unique<PictureCrew>(job, open, stopped);
+    if (stopped()) throw Interrupted();
+    ranges.cut = crew->cut();
+    ranges.part_count = crew->part_count();
+    std::vector<std::string> differing;
+    ranges = folder.join(ranges, nodes, differing);
+    if (!differing.empty())
+        throw VersionMismatch(
+            fmt::format("--fleet: another picture was begun there: {}", fmt::join(differing, "; ")));
+    if (ranges.cut == crew->cut()) return crew;
+    job.cut = ranges.cut;
+    crew.reset();
+    return std::make_unique<PictureCrew>(job, open, stopped);
+}
+
+double share_of(const std::vector<DeviceParts>& by, std::uint64_t part_count) {
+    std::uint64_t parts = 0;
+    for (const DeviceParts& each : by) parts += each.count();
+    return 100.0 * static_cast<double>(parts) / static_cast<double>(part_count);
+}
+
+/// Of all nodes, where it is whole; or says how far it is.
+int write_fleet_picture(const Options& options, const PictureFolder& folder, PictureRanges ranges) {
+    ranges.devices = folder.made();
+    if (!fault_of(ranges).empty()) {
+        tell(options.common,
+             fmt::format("{:.1f} % of the picture are in {}: the node that ends last writes it",
+                         share_of(ranges.devices, ranges.part_count), options.render.fleet));
+        return exit_codes::done;
+    }
+    const Film film = film_of(folder.merged());
+    ranges.film_hash = film.hash;
+    const std::string& output = options.render.output;
+    write_picture(output, film.mean, ranges);
+    tell(options.common, fmt::format("written: {} {} (film {})", output, file_beside(output), film.hash));
+    return exit_codes::done;
+}
+
+}  // namespace
+
+int render_in_fleet(const Options& options, const Case& params, const std::vector<DeviceInfo>& devices) {
+    const RenderFlags& flags = options.render;
+    if (!options.common.launcher.empty())
+        throw UsageError("--launcher: found beside --fleet; allowed: devices of this machine");
+    check_writable("-o", file_beside(flags.output));
+    const std::string node = this_node();
+    PictureFolder folder(flags.fleet);
+    PathLock lock;
+    if (!lock.take_file(folder.lock(node)))
+        throw UsageError(fmt::format("--fleet: another process of {} makes its part of the picture", node));
+    const Stopped stopped = [&stop = watch_for_interruption()] { return stop.load(); };
+    PictureRanges ranges = ranges_for(params, flags.seed, options.common.kernel_dir);
+    const auto crew = joined_crew(job_of(options, params, devices, std::nullopt),
+                                  process_channels(worker_launch(options.common), longest_silence, stopped),
+                                  stopped, folder, nodes_told(flags).size(), ranges);
+    folder.give_up_claims(node);
+    const ShareDone share(options.common.quiet);
+    const SharedPicture picture = crew->make(
+        {}, [&](double done) { share.show(done); }, [&] { return folder.claim(node); });
+    if (stopped()) throw Interrupted();
+    for (const std::string& remark : picture.remarks) tell(options.common, "warning: " + remark);
+    if (picture.sums) folder.leave(node, *picture.sums, picture.by);
+    tell(options.common,
+         fmt::format("{}: made {:.1f} % of the picture", node, share_of(picture.by, ranges.part_count)));
+    return write_fleet_picture(options, folder, ranges);
 }
 
 }  // namespace ptb

@@ -28,4 +28,8 @@ std::vector<DeviceInfo> devices_that_made(const PictureRanges& repeated,
 int render_together(const Options& options, const Case& params, const std::vector<DeviceInfo>& devices,
                     const std::optional<PictureRanges>& repeated);
 
+/// Makes what this node gets of a picture that several make in the folder of `--fleet`; whoever sees all of
+/// it there writes it. Returns the exit code.
+int render_in_fleet(const Options& options, const Case& params, const std::vector<DeviceInfo>& devices);
+
 }  // namespace ptb

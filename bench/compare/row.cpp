@@ -26,6 +26,8 @@ std::string case_text(const Case& c) {
         fmt::format("{} {} {} spp {} length {}", c.kernel, c.scene, to_string(c.size), c.spp, c.path_length);
     if (!c.work_group.implicit()) text += " wg " + to_string(c.work_group);
     if (c.lanes != 0) text += fmt::format(" lanes {}", c.lanes);
+    if (c.devices != 1) text += " devices " + case_value(c, "devices");
+    if (c.together != Together::no) text += " together " + case_value(c, "together");
     const std::string variant = to_string(c.variant);
     return variant.empty() ? text : text + " " + variant;
 }

@@ -166,7 +166,7 @@ struct GpuState {
 struct SharedWork {
     std::vector<std::string> devices{};  ///< their keys
     std::vector<double> device_ms{};     ///< of each, by its own clock, in the last sample
-    double speedup = 0;     ///< over the first device alone, by the speed at which it made its parts
+    double speedup = 0;     ///< over the fastest of them, by the speed at which it made its parts
     double efficiency = 0;  ///< share of the speed of all, each at its own parts
     bool operator==(const SharedWork&) const = default;
 };

@@ -37,7 +37,7 @@ Section shared_section(const ResultFile& result) {
     if (!section.grid.rows.empty())
         section.notes.emplace_back(
             "ms by the host's clock, from the first part handed out to the last film added; speedup over the "
-            "first device, and share of the speed of all, each at its own parts");
+            "fastest device, and share of the speed of all, each at its own parts");
     return section;
 }
 

@@ -30,8 +30,12 @@ std::vector<PartRange> joined(std::vector<PartRange> ranges) {
     return result;
 }
 
-HandOut::HandOut(std::vector<PartRange> open, std::uint64_t round_parts, std::vector<double> parts_per_s)
-    : open_(std::move(open)), round_parts_(round_parts), devices_(parts_per_s.size()) {
+HandOut::HandOut(std::vector<PartRange> open, std::uint64_t round_parts, std::vector<double> parts_per_s,
+                 MoreParts more)
+    : open_(std::move(open)),
+      round_parts_(round_parts),
+      more_(std::move(more)),
+      devices_(parts_per_s.size()) {
     for (std::size_t i = 0; i < devices_.size(); ++i) devices_[i].parts_per_s = parts_per_s[i];
 }
 
@@ -42,6 +46,8 @@ HandOut::HandOut(std::vector<std::vector<PartRange>> own) : is_demand_(false), d
 std::optional<PartRange> HandOut::next(std::size_t device) {
     const std::lock_guard lock(mutex_);
     Device& asking = devices_[device];
+    if (!is_stopped_ && open_.empty() && more_)
+        if (const auto more = more_()) open_.push_back(*more);
     if (is_stopped_ || !is_work_left(device)) return std::nullopt;
     if (is_demand_) {
         asking.given = cut_from_open(wanted_by(asking));

@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -14,6 +15,9 @@ namespace ptb {
 /// Ranges that follow each other joined, in order.
 std::vector<PartRange> joined(std::vector<PartRange> ranges);
 
+/// More parts, from where others take theirs, too; nothing once there are none.
+using MoreParts = std::function<std::optional<PartRange>()>;
+
 /// Hands out the parts of a picture to devices that ask for them, each from a thread of its own. A device
 /// keeps the film of what it made until it delivers it; what it made until then is lost with it, and handed
 /// out again.
@@ -23,7 +27,9 @@ class HandOut {
     /// is left, up to the ends of rounds.
     /// @param round_parts  parts of a round of samples
     /// @param parts_per_s  of each device, as far as is known
-    HandOut(std::vector<PartRange> open, std::uint64_t round_parts, std::vector<double> parts_per_s);
+    /// @param more         asked once all is handed out
+    HandOut(std::vector<PartRange> open, std::uint64_t round_parts, std::vector<double> parts_per_s,
+            MoreParts more = {});
     /// To each device what is its own.
     explicit HandOut(std::vector<std::vector<PartRange>> own);
 
@@ -64,6 +70,7 @@ class HandOut {
     std::vector<PartRange> open_;  ///< for anybody
     std::uint64_t round_parts_ = 1;
     bool is_demand_ = true, is_stopped_ = false;
+    MoreParts more_;
     std::vector<Device> devices_;
 };
 

@@ -58,8 +58,9 @@ double SharedPicture::efficiency() const {
 }
 
 double SharedPicture::speedup() const {
-    const double first = by.empty() ? 0 : by.front().parts_per_s();
-    return first > 0 ? parts_per_s() / first : 0;
+    double fastest = 0;
+    for (const DeviceParts& each : by) fastest = std::max(fastest, each.parts_per_s());
+    return fastest > 0 ? parts_per_s() / fastest : 0;
 }
 
 struct PictureCrew::Impl {
@@ -256,8 +257,9 @@ PictureCrew::~PictureCrew() = default;
 RunCut PictureCrew::cut() const { return impl_->cut.value_or(RunCut{}); }
 std::uint64_t PictureCrew::part_count() const { return impl_->part_count; }
 
-SharedPicture PictureCrew::make(const std::vector<PartRange>& parts, const SharedProgress& progress) {
-    HandOut hand_out(parts, impl_->job.params.size.pixels(), impl_->speeds());
+SharedPicture PictureCrew::make(const std::vector<PartRange>& parts, const SharedProgress& progress,
+                                const MoreParts& more) {
+    HandOut hand_out(parts, impl_->job.params.size.pixels(), impl_->speeds(), more);
     return impl_->make(hand_out, progress);
 }
 

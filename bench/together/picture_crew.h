@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/together/hand_out.h"
 #include "bench/together/picture_ranges.h"
 #include "bench/worker/device_worker.h"
 #include "core/render/film_sums.h"
@@ -32,7 +33,7 @@ struct SharedPicture {
     bool whole() const { return parts_made() == part_count; }
     /// The speed, in multiples of that of all devices together while each is making its parts.
     double efficiency() const;
-    /// The same, of the first device alone.
+    /// The same, of the fastest device alone.
     double speedup() const;
     double parts_per_s() const;
 };
@@ -55,8 +56,9 @@ class PictureCrew {
     RunCut cut() const;
     std::uint64_t part_count() const;
 
-    /// These parts, whoever asks first.
-    SharedPicture make(const std::vector<PartRange>& parts, const SharedProgress& progress);
+    /// These parts, whoever asks first, and then others for as long as there are `more`.
+    SharedPicture make(const std::vector<PartRange>& parts, const SharedProgress& progress,
+                       const MoreParts& more = {});
     /// As they were made once; `by` in the job's order of devices.
     SharedPicture repeat(const std::vector<DeviceParts>& by, const SharedProgress& progress);
 

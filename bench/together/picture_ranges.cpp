@@ -66,7 +66,7 @@ std::string to_text(const PictureRanges& ranges) {
     return dump_json(json);
 }
 
-PictureRanges parse_picture_ranges(const std::string& text, const std::string& origin) {
+PictureRanges parse_picture_plan(const std::string& text, const std::string& origin) {
     const Json json = parse_json(text, origin);
     const Where where(origin);
     const auto schema = json.is_object() ? json.find("schema") : json.end();
@@ -84,8 +84,22 @@ PictureRanges parse_picture_ranges(const std::string& text, const std::string& o
     read("part_count", ranges.part_count);
     read("film_hash", ranges.film_hash);
     read("devices", ranges.devices);
-    if (const std::string fault = fault_of(ranges); !fault.empty()) Where(where, "devices").fail(fault);
     return ranges;
+}
+
+PictureRanges parse_picture_ranges(const std::string& text, const std::string& origin) {
+    PictureRanges ranges = parse_picture_plan(text, origin);
+    const std::string fault = fault_of(ranges);
+    if (!fault.empty()) throw UsageError(fmt::format("{}: /devices: {}", origin, fault));
+    return ranges;
+}
+
+Json parts_json(const std::vector<DeviceParts>& by) { return encode(by); }
+
+std::vector<DeviceParts> parse_parts(const std::string& text, const std::string& origin) {
+    std::vector<DeviceParts> by;
+    decode(parse_json(text, origin), Where(origin), by);
+    return by;
 }
 
 }  // namespace ptb

@@ -7,6 +7,7 @@
 #include "bench/plan/case.h"
 #include "bench/record/fingerprint.h"
 #include "bench/record/record.h"
+#include "core/input/json.h"
 #include "core/render/parts.h"
 
 namespace ptb {
@@ -39,6 +40,12 @@ std::string fault_of(const PictureRanges& ranges);
 
 /// As JSON on one line, and back. Throws UsageError.
 std::string to_text(const PictureRanges& ranges);
+PictureRanges parse_picture_plan(const std::string& text, const std::string& origin);
+/// Throws also where they are not of every part once.
 PictureRanges parse_picture_ranges(const std::string& text, const std::string& origin);
+
+/// What devices made, alone.
+Json parts_json(const std::vector<DeviceParts>& by);
+std::vector<DeviceParts> parse_parts(const std::string& text, const std::string& origin);
 
 }  // namespace ptb

@@ -114,8 +114,12 @@ class Selectors(CliTest):
         self.assert_refused("-d", "/[/", says="no regular expression")
         self.assert_refused("render", "-d", "gpu", "-o", "x.png", says=['"gpu" matches none', *there_is])
 
-    def test_render_takes_one_device(self):
-        self.assert_refused("render", "-d", "cpu", "-o", "x.png", says=["2 devices", "-d pocl:0"])
+    def test_render_takes_all_that_are_selected(self):
+        small = ("render", "--size", "8", "--spp", "1", "--path-length", "2", "-o", "x.png")
+        for words, devices in [(("-d", "cpu"), 2), (("-d", "0,1"), 2), (("-d", "pocl:1"), 0), ((), 0)]:
+            with self.subTest(words):
+                said = self.run_ok(*small, *words).stderr
+                self.assertEqual(said.count("pocl:"), devices, said)
 
     def test_a_launcher_that_does_not_start(self):
         self.assert_refused(*ONE, "--launcher", "/missing/srun", says=["--launcher", "/missing/srun"])

@@ -98,6 +98,21 @@ TEST(HandOut, a_piece_that_was_cut_short_is_open_again) {
     EXPECT_FALSE(hand_out.wait_for_more(0));
 }
 
+TEST(HandOut, asks_for_more_once_all_is_handed_out) {
+    std::vector<PartRange> there{{500, 510}, {900, 905}};
+    HandOut hand_out({}, 1000, {1000, 1000}, [&]() -> std::optional<PartRange> {
+        if (there.empty()) return std::nullopt;
+        const PartRange first = there.front();
+        there.erase(there.begin());
+        return first;
+    });
+    EXPECT_EQ(hand_out.next(0), (PartRange{500, 510}));
+    EXPECT_EQ(hand_out.next(1), (PartRange{900, 905}));
+    EXPECT_EQ(hand_out.next(1), std::nullopt);
+    hand_out.lost(0);
+    EXPECT_EQ(hand_out.next(1), (PartRange{500, 510}));
+}
+
 TEST(HandOut, repeats_what_each_device_made) {
     const std::vector<PartRange> first{{0, 10}, {30, 40}}, second{{10, 30}};
     HandOut hand_out({first, second});

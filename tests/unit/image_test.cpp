@@ -132,6 +132,19 @@ TEST_F(ImageFile, png_decodes_to_the_same_bytes_as_ppm) {
     EXPECT_THAT(rgb, ::testing::ElementsAre(0, 128, 255, 255, 0, 0));
 }
 
+TEST_F(ImageFile, notes_stand_in_the_file) {
+    const Image image{{1, 1}, {0.5f, 0.25f, 1}};
+    const ImageNotes notes{{"ptbench.ranges", "{\"parts\":[[0,10]]}"}};
+    write_image(path("x.ppm"), image, notes);
+    EXPECT_THAT(bytes("x.ppm"), StartsWith("P3\n# ptbench.ranges {\"parts\":[[0,10]]}\n1 1\n255\n"));
+    write_image(path("x.exr"), image, notes);
+    EXPECT_THAT(bytes("x.exr"), HasSubstr("{\"parts\":[[0,10]]}"));
+    EXPECT_EQ(read_exr_layers(path("x.exr")).at("").rgb, image.rgb);
+    write_image(path("x.png"), image, notes);
+    EXPECT_THAT(bytes("x.png"), HasSubstr("zTXtptbench.ranges"));
+    EXPECT_EQ(read_png(path("x.png")).rgb.size(), 3u);
+}
+
 TEST_F(ImageFile, pfm_rows_run_from_the_bottom_in_little_endian) {
     const Image image = {{1, 2}, {1, 2, 3, 4, 5, 6}};
     write_image(path("a.pfm"), image);

@@ -1,0 +1,103 @@
+#include "bench/together/picture_folder.h"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "bench/plan/config.h"
+#include "bench/together/hand_out.h"
+#include "core/render/render.h"
+
+namespace ptb {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Chunks, cover_all_parts_and_become_ever_smaller) {
+    for (const std::size_t nodes : {1u, 2u, 100u}) {
+        const std::vector<PartRange> chunks = chunks_of(1'000'000, 1000, nodes);
+        std::uint64_t next = 0, before = 1'000'000;
+        for (const PartRange& chunk : chunks) {
+            EXPECT_EQ(chunk.first, next);
+            EXPECT_LE(chunk.count(), before + 1000);
+            before = chunk.count();
+            next = chunk.end;
+        }
+        EXPECT_EQ(next, 1'000'000u);
+        EXPECT_LE(chunks.front().count() * nodes, 500'000u) << "half of a share";
+        EXPECT_LE(chunks.size(), 200 * nodes);
+    }
+    EXPECT_EQ(chunks_of(3, 1, 100).size(), 3u);
+}
+
+class PictureFolderTest : public testing::Test {
+  protected:
+    fs::path path_ = fs::temp_directory_path() / "ptb_picture_folder_test";
+    PictureFolderTest() { fs::remove_all(path_); }
+    ~PictureFolderTest() override { fs::remove_all(path_); }
+
+    static PictureRanges picture() {
+        PictureRanges ranges;
+        ranges.params = default_case();
+        ranges.params.size = {2, 1};
+        ranges.facts = {{"ptbench", "v"}};
+        ranges.cut = {2, 3};
+        ranges.part_count = 20;
+        return ranges;
+    }
+    static FilmSums film(ptb_long radiance) {
+        FilmSums sums{{2, 1}, {0, 0}, false};
+        sums.pixels.resize(2);
+        sums.pixels[0].radiance[0] = radiance;
+        sums.pixels[0].samples = 1;
+        return sums;
+    }
+};
+
+TEST_F(PictureFolderTest, a_chunk_is_claimed_once) {
+    PictureFolder one(path_), other(path_);
+    std::vector<std::string> differing;
+    one.join(picture(), 2, differing);
+    other.join(picture(), 7, differing);
+    EXPECT_THAT(differing, testing::IsEmpty());
+    std::vector<PartRange> claimed;
+    for (auto mine = one.claim("n1"), theirs = other.claim("n2"); mine || theirs;
+         mine = one.claim("n1"), theirs = other.claim("n2")) {
+        if (mine) claimed.push_back(*mine);
+        if (theirs) claimed.push_back(*theirs);
+    }
+    EXPECT_EQ(joined(claimed), (std::vector<PartRange>{{0, 20}}));
+    EXPECT_EQ(claimed.size(), chunks_of(20, 2, 2).size());
+}
+
+TEST_F(PictureFolderTest, claims_without_a_film_are_given_up) {
+    PictureFolder folder(path_);
+    std::vector<std::string> differing;
+    folder.join(picture(), 1, differing);
+    const PartRange kept = *folder.claim("n1");
+    folder.leave("n1", film(5), {{"d:0", "D", "1", {kept}}});
+    const PartRange lost = *folder.claim("n1");
+    PictureFolder again(path_);
+    again.join(picture(), 1, differing);
+    again.give_up_claims("n1");
+    EXPECT_EQ(again.claim("n1"), lost);
+    again.leave("n1", film(7), {{"d:0", "D", "1", {lost}}});
+    EXPECT_EQ(again.merged().pixels[0].radiance[0], 12) << "both parts of the node's film";
+    const auto made = again.made();
+    ASSERT_EQ(made.size(), 2u);
+    EXPECT_EQ(made[1].device, "n1/d:0");
+}
+
+TEST_F(PictureFolderTest, another_picture_differs) {
+    PictureFolder folder(path_);
+    std::vector<std::string> differing;
+    folder.join(picture(), 1, differing);
+    PictureRanges other = picture();
+    other.seed = 9;
+    other.params.spp = 77;
+    folder.join(other, 1, differing);
+    EXPECT_EQ(differing.size(), 2u);
+}
+
+}  // namespace
+}  // namespace ptb
