@@ -22,7 +22,7 @@ from pictures import read_pfm  # noqa: E402
 
 SCENES = ROOT / "configs/scenes"
 CLOSED, OPEN = ("knot", "flake", "menger", "hair", "slivers"), ("cornell", "terrain")
-USUAL = ("--kernel", "pt", "--path-length", "10", "--size", "128")
+USUAL = ("--kernel", "pt", "--path-length", "10", "--size", "128", "--wg", "implicit")
 TIMED = ("--spp", "8", "--max-time", "2", "--warmup", "0")
 SPLITS = ("spatial", "sah", "spatial_xyz", "sah_xyz")
 

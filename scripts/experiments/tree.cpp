@@ -2,6 +2,7 @@
 // usage: tree_experiment work|speed|growth|aim [THREADS [MOST_TRIANGLES]]; tables in Markdown
 #include "core/tree/tree.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -66,7 +67,8 @@ Work diffuse_work(const Tree& tree, const Triangles& triangles) {
         work.tests += met.tests;
         ++counted;
     }
-    return {work.nodes / counted, work.tests / counted};
+    const double rays_met = std::max(counted, 1);
+    return {work.nodes / rays_met, work.tests / rays_met};
 }
 
 double ratio(std::size_t a, std::size_t b) { return static_cast<double>(a) / static_cast<double>(b); }
@@ -127,9 +129,10 @@ Seconds seconds_of(const auto& what) {
 
 void speed_header() {
     fmt::print(
-        "| mesh | triangles | layout | s a million | CPU s a million | bytes a triangle | SAH | depth | peak "
-        "MiB |\n");
-    fmt::print("| --- | ---: | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n");
+        "| mesh | triangles | layout | s a million | CPU s a million | bytes a triangle | SAH | depth | "
+        "nodes a "
+        "ray | tests a ray | peak MiB |\n");
+    fmt::print("| --- | ---: | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
 }
 
 /// The peak is of the process so far: triangles and all that was built before, too.
@@ -139,10 +142,11 @@ void speed_row(const Mesh& mesh, TreeLayout layout, int threads) {
     const double millions = 1e-6 * static_cast<double>(mesh.triangles.size());
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    fmt::print("| {} | {} | {} | {:.2f} | {:.2f} | {:.1f} | {:.2f} | {} | {} |\n", mesh.name,
-               mesh.triangles.size(), layout == TreeLayout::bvh2 ? "BVH2" : "8-wide", s.wall / millions,
-               s.cpu / millions, ratio(tree.facts.bytes, tree.facts.triangles), tree.facts.sah_cost,
-               tree.facts.depth, usage.ru_maxrss / 1024);
+    const Work work = diffuse_work(tree, mesh.triangles);
+    fmt::print("| {} | {} | {} | {:.2f} | {:.2f} | {:.1f} | {:.2f} | {} | {:.1f} | {:.1f} | {} |\n",
+               mesh.name, mesh.triangles.size(), layout == TreeLayout::bvh2 ? "BVH2" : "8-wide",
+               s.wall / millions, s.cpu / millions, ratio(tree.facts.bytes, tree.facts.triangles),
+               tree.facts.sah_cost, tree.facts.depth, work.nodes, work.tests, usage.ru_maxrss / 1024);
 }
 
 void print_speed(int threads) {

@@ -149,7 +149,7 @@ TEST(StoredReference, every_one_loads_and_is_named_by_what_it_holds) {
                 ASSERT_TRUE(std::isfinite(value) && value >= 0) << entry.path();
         }
     }
-    EXPECT_EQ(count, 37);
+    EXPECT_EQ(count, 47);
 }
 
 TEST(StoredReference, furnace_has_its_closed_form) {
@@ -180,41 +180,38 @@ TEST(StoredReference, furnace_has_its_light_once_or_lit_once) {
 }
 
 /// Scenes and path lengths of the references of `direct` and `whitted`.
-const std::vector<std::string> lit_names = {"thesis", "free_light", "lamps"};
-const std::vector<std::string> lit_lengths = {"5", "128"};
+const std::vector<std::pair<std::string, std::string>> lit = {
+    {"thesis", "5"}, {"thesis", "128"}, {"free_light", "5"}, {"free_light", "128"},
+    {"lamps", "5"},  {"lamps", "128"},  {"cornell", "10"},   {"knot", "10"}};
 
 TEST(StoredReference, whitted_and_direct_have_the_same_paths) {
-    for (const std::string& scene : lit_names) {
-        for (const std::string& length : lit_lengths) {
-            const Reference a = stored(scene + "_whitted_128x128_pl" + length);
-            const Reference b = stored(scene + "_direct_128x128_pl" + length);
-            const auto deviation = [](const Reference& reference, double variance) {
-                return std::sqrt(variance / static_cast<double>(reference.size.pixels()) / reference.spp);
-            };
-            const double z_segments = z_score({a.segments_per_sample, deviation(a, a.segments_variance)},
-                                              {b.segments_per_sample, deviation(b, b.segments_variance)});
-            EXPECT_LT(std::abs(z_segments), 4) << scene << ", " << length;
-            const double share = b.full_length_share;
-            const double z_share = z_score({a.full_length_share, deviation(a, share * (1 - share))},
-                                           {share, deviation(b, share * (1 - share))});
-            EXPECT_LT(std::abs(z_share), 4) << scene << ", " << length;
-        }
+    for (const auto& [scene, length] : lit) {
+        const Reference a = stored(scene + "_whitted_128x128_pl" + length);
+        const Reference b = stored(scene + "_direct_128x128_pl" + length);
+        const auto deviation = [](const Reference& reference, double variance) {
+            return std::sqrt(variance / static_cast<double>(reference.size.pixels()) / reference.spp);
+        };
+        const double z_segments = z_score({a.segments_per_sample, deviation(a, a.segments_variance)},
+                                          {b.segments_per_sample, deviation(b, b.segments_variance)});
+        EXPECT_LT(std::abs(z_segments), 4) << scene << ", " << length;
+        const double share = b.full_length_share;
+        const double z_share = z_score({a.full_length_share, deviation(a, share * (1 - share))},
+                                       {share, deviation(b, share * (1 - share))});
+        EXPECT_LT(std::abs(z_share), 4) << scene << ", " << length;
     }
 }
 
 TEST(StoredReference, direct_is_nowhere_brighter_than_pt_and_darker_on_the_whole) {
-    for (const std::string& scene : lit_names) {
-        for (const std::string& length : lit_lengths) {
-            const Reference direct = stored(scene + "_direct_128x128_pl" + length);
-            const Reference pt = stored(scene + "_pt_128x128_pl" + length);
-            for (std::size_t block = 0; block < 8 * 8 * 3; ++block) {
-                const std::size_t column = block / 3 % 8, row = block / 24, channel = block % 3;
-                const double z = z_score(block_estimate(direct, 16, column, row, channel),
-                                         block_estimate(pt, 16, column, row, channel));
-                EXPECT_LT(z, 4.5) << scene << ", " << length << ", block " << column << ", " << row;
-            }
-            EXPECT_LT(z_score(image_estimate(direct, 0), image_estimate(pt, 0)), -20) << scene;
+    for (const auto& [scene, length] : lit) {
+        const Reference direct = stored(scene + "_direct_128x128_pl" + length);
+        const Reference pt = stored(scene + "_pt_128x128_pl" + length);
+        for (std::size_t block = 0; block < 8 * 8 * 3; ++block) {
+            const std::size_t column = block / 3 % 8, row = block / 24, channel = block % 3;
+            const double z = z_score(block_estimate(direct, 16, column, row, channel),
+                                     block_estimate(pt, 16, column, row, channel));
+            EXPECT_LT(z, 4.5) << scene << ", " << length << ", block " << column << ", " << row;
         }
+        EXPECT_LT(z_score(image_estimate(direct, 0), image_estimate(pt, 0)), -20) << scene;
     }
 }
 
