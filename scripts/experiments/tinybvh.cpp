@@ -2,10 +2,10 @@
 // tinybvh's own OpenCL kernels (read from the folder TINYBVH), by turns, timed by their events, and all of
 // `pt` beside them; prints a table (Markdown).
 #define TINYBVH_IMPLEMENTATION
-#include <fmt/format.h>
 #include <future>
 #include <utility>
 
+#include <fmt/format.h>
 #include <tiny_bvh.h>
 
 #include "scripts/experiments/ray_lists.h"
@@ -168,8 +168,7 @@ struct Sides {
 Sides sides_of(const ocl::Device& device, const cl::Program& program, const std::string& file) {
     Subject subject(file);
     const auto corners = corners_of(subject.triangles);
-    auto eight =
-        std::async(std::launch::async, [&] { return eight_children(device, program, corners); });
+    auto eight = std::async(std::launch::async, [&] { return eight_children(device, program, corners); });
     TinyTree two = two_children(device, program, corners);
     const TreeLayout layout = device.info.type == "CPU" ? TreeLayout::wide8 : TreeLayout::bvh2;
     Tree tree = build_tree(subject.triangles, layout, {}, 4);
