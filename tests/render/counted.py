@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""counted.py RENDER_ONCE KERNEL SCENE [PATH_LENGTH]: what the instrumented build of a kernel counts with one lane a work-item,
+"""counted.py RENDER_ONCE KERNEL SCENE [PATH_LENGTH [AXIS=VALUE...]]: what the instrumented build of a kernel counts with one lane a work-item,
 against the instructions that Oclgrind sees in the measured build of the same small render: the latter may be 0.1 %
 more. Work of no use is not counted: `pt` makes camera rays for samples that there are not, which are taken off here."""
 import os
@@ -31,7 +31,8 @@ def rendered(render_once, kernel, scene, path_length, *options):
 
 
 def seen(said):
-    """Operations and bytes of all kernels."""
+    """Operations and bytes of all kernels but those that make rays, before anything is timed or counted."""
+    said = re.sub(r"^Instructions executed for kernel '\w+_make':\n(?:.*\n)*?(?=\S|\Z)", "", said, flags=re.M)
     lines = re.findall(r"^ +(\d+) - ((?:load |store )?[^ \n]+(?: [^ \n(]+\(\))?)(.*)$", said, re.M)
     total = dict.fromkeys(("flops", "roots", "divisions", "bytes"), 0)
     for times, name, rest in lines:
@@ -49,12 +50,12 @@ def counted(said):
     return {name: int(number) for number, name in re.findall(r"(\d+) (\w+)", re.search("counted: (.*)", said)[1])}
 
 
-def main(render_once, kernel, scene, path_length="16"):
+def main(render_once, kernel, scene, path_length="16", *axes):
     if not shutil.which("oclgrind"):
         print("no oclgrind here", file=sys.stderr)
         return 1 if os.environ.get("PTB_STRICT") else 77
-    instructions = seen(rendered(render_once, kernel, scene, path_length))
-    counts = counted(rendered(render_once, kernel, scene, path_length, " -DPTB_COUNT"))
+    instructions = seen(rendered(render_once, kernel, scene, path_length, *axes))
+    counts = counted(rendered(render_once, kernel, scene, path_length, " -DPTB_COUNT", *axes))
     failures = 0
     for name, number in instructions.items():
         ratio = number / counts[name] if counts[name] else float(number == 0)
