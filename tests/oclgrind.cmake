@@ -32,6 +32,7 @@ ptbench_oclgrind(pt 4 thesis scene_memory=private pixel_filter=stratified queue=
 ptbench_oclgrind(pt 1 thesis dispatch=tasks build=strict)
 ptbench_oclgrind(pt_nee 1 mesh_room bvh=bvh2)
 ptbench_oclgrind(pt 1 mesh_room bvh=wide8)
+ptbench_oclgrind(rays 1 mesh_room bvh=bvh2 ray_kind=shadow)
 # Films in images are not watched: Oclgrind 21.10 takes what image functions return for uninitialised.
 
 # What kernels count of themselves, against the instructions.
@@ -48,6 +49,7 @@ foreach(kernel pt pt_nee pt_lt direct whitted)
   ptbench_oclgrind_counts(${kernel} balls:40)
 endforeach()
 ptbench_oclgrind_counts(bdpt thesis 4) # all pairs take their time
+ptbench_oclgrind_counts(rays mesh_room 1 bvh=bvh2 ray_kind=bounce1)
 ptbench_oclgrind_counts(pt far_apart)
 ptbench_oclgrind_counts(pt at_a_wall)
 ptbench_oclgrind_counts(pt_nee at_a_wall)

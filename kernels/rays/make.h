@@ -19,7 +19,7 @@
 #endif
 
 /* A ray that finds no surface to start from is tried again, from another pixel. */
-#define RAYS_TRIES 64u
+#define RAYS_TRIES 256u
 
 #define RAYS_FAR 0x1.fffffep127f
 

@@ -6,7 +6,7 @@ import unittest
 from ptbench import ONE, SOURCE, CliTest, changed, ended
 
 SEARCH = (SOURCE / "kernels/scene/tree8.h").read_text()
-RAYS = (*changed(ONE, kernel="rays", scene="cornell", size=64, spp=2),)
+RAYS = (*changed(ONE, kernel="rays", size=64), "--scene", "cornell")
 
 
 class Rays(CliTest):

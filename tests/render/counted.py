@@ -39,7 +39,8 @@ def take_off(total, work, times):
 
 
 def seen(said):
-    """Operations and bytes of all kernels."""
+    """Operations and bytes of all kernels but those that make rays, before anything is timed or counted."""
+    said = re.sub(r"^Instructions executed for kernel '\w+_make':\n(?:.*\n)*?(?=\S|\Z)", "", said, flags=re.M)
     lines = re.findall(r"^ +(\d+) - ((?:load |store )?[^ \n]+(?: [^ \n(]+\(\))?)(.*)$", said, re.M)
     total = dict.fromkeys(("flops", "roots", "divisions", "bytes"), 0)
     for times, name, rest in lines:
