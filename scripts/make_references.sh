@@ -47,6 +47,7 @@ make_one terrain pt 10 4000
 for scene in flake knot menger; do
     make_one "$scene" pt 10 1000
 done
+make_one hair pt 10 512
 make_one slivers pt 10 128
 for scene in cornell knot; do
     make_one "$scene" direct 10 1000

@@ -153,8 +153,10 @@ int render_command(const Options& options) {
     }
     const auto devices =
         repeated ? devices_that_made(*repeated, list.devices) : devices_to_share(flags.devices, list.devices);
-    if (!flags.fleet.empty()) return render_in_fleet(options, c, devices);
     const bool together = repeated || devices.size() > 1;
+    if (flags.aov == "cost" && (together || !flags.fleet.empty()))
+        throw UsageError("--aov: found \"cost\"; allowed: radiance, where several devices make one picture");
+    if (!flags.fleet.empty()) return render_in_fleet(options, c, devices);
     return together ? render_together(options, c, devices, repeated) : render_alone(options, c, devices[0]);
 }
 

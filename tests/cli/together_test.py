@@ -87,6 +87,7 @@ class Together(CliTest):
         for words, says in [
             (("--kernel", "thesis"), "several devices cannot share its pictures"),
             (("--time", "1"), "--time: found beside 2 devices"),
+            (("--aov", "cost", "--scene", "knot"), "--aov: found \"cost\""),
             (("--launcher", "env"), "--launcher: found beside 2 devices"),
             (("--ranges", "r.json"), "--ranges"),
         ]:
