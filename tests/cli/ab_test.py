@@ -175,7 +175,7 @@ class Refusals(AbTest):
             (("--json", "missing/x.json"), ["--json", "missing/x.json"]),
             (("--new", "missing"), ["--new", "missing"]),
             (("--new-kernels", "missing"), ["--new-kernels", "missing"]),
-            (("--new-config", "missing"), ["missing", "cards, ci, doctor, ladder, memory, quality, queues, quick, speed, thesis, tune, workgroups"]),
+            (("--new-config", "missing"), ["missing", "cards, ci, doctor, ladder, memory, quality, queues, quick, rays, speed, thesis, tune, workgroups"]),
             (("--profile", "fast"), ["--profile", "shared"]),
         ]:
             with self.subTest(words):

@@ -269,7 +269,7 @@ class Formats(CompareTest):
             ((old,), "OLD.json NEW.json"),
             ((old, old, old), "OLD.json NEW.json"),
             ((old, "missing.json"), "missing.json"),
-            ((old, old, "--config", "nope"), "cards, ci, doctor, ladder, memory, quality, queues, quick, speed, thesis, tune, workgroups"),
+            ((old, old, "--config", "nope"), "cards, ci, doctor, ladder, memory, quality, queues, quick, rays, speed, thesis, tune, workgroups"),
             ((old, "--history", old, "--base", old), "--history"),
             (("--replay", "missing.json"), "missing.json"),
             ((self.scratch.write("bad.json", "{"), old), "bad.json"),

@@ -131,7 +131,7 @@ class Listing(CliTest):
         self.assertEqual([device["key"] for device in listing["devices"]], ["pocl:0", "pocl:1"])
         self.assertLessEqual({"pt", "thesis"}, set(listing["kernels"]))
         self.assertLessEqual({"thesis", "furnace", "free_light"}, set(listing["scenes"]))
-        self.assertLessEqual({"quick", "thesis", "cards", "ci", "ladder", "speed", "memory", "queues", "quality", "workgroups"}, set(listing["configs"]))
+        self.assertLessEqual({"quick", "thesis", "cards", "ci", "ladder", "rays", "speed", "memory", "queues", "quality", "workgroups"}, set(listing["configs"]))
         self.assertIn("work_group", listing["axes"])
         self.assertEqual(listing["broken_icds"], [])
         self.assertEqual(listing["peaks"], [])

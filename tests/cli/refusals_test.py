@@ -152,8 +152,8 @@ class Axes(CliTest):
         for words, says in [
             (("--kernel", "ptt"), ('"ptt"', "did you mean pt?", "thesis, whitted, direct, pt, pt_nee")),
             (("--scene", "thesi"), ('"thesi"', "did you mean thesis?", "furnace, gap, hair, knot, lamp_in_glass, lamps, menger, slivers, terrain, thesis")),
-            (("--config", "quik"), ('"quik"', "did you mean quick?", "cards, ci, doctor, ladder, memory, quality, queues, quick, speed, thesis, tune, workgroups")),
-            (("--config", "."), ("no file", "cards, ci, doctor, ladder, memory, quality, queues, quick, speed, thesis, tune, workgroups")),
+            (("--config", "quik"), ('"quik"', "did you mean quick?", "cards, ci, doctor, ladder, memory, quality, queues, quick, rays, speed, thesis, tune, workgroups")),
+            (("--config", "."), ("no file", "cards, ci, doctor, ladder, memory, quality, queues, quick, rays, speed, thesis, tune, workgroups")),
         ]:
             with self.subTest(words):
                 self.assert_refused(*words, says=says)

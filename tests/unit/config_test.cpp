@@ -179,7 +179,7 @@ TEST(Config, unknown_name_lists_what_there_is) {
     } catch (const UsageError& error) {
         EXPECT_THAT(error.what(), AllOf(HasSubstr("did you mean quick?"),
                                         HasSubstr("cards, ci, doctor, ladder, memory, quality, queues, "
-                                                  "quick, speed, thesis, tune, workgroups")));
+                                                  "quick, rays, speed, thesis, tune, workgroups")));
     }
     EXPECT_THROW(load_config("quick", "/nowhere"), UsageError);
     EXPECT_THROW(load_config("", configs), UsageError);
