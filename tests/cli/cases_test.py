@@ -43,7 +43,7 @@ class Limits(CliTest):
 class Kernels(CliTest):
     def test_shadow_rays_are_counted_beside_segments(self):
         for kernel, asks_lamps, leaves_lamps in (("pt", False, False), ("pt_nee", True, False), ("pt_lt", True, True), ("bdpt", True, True)):
-            record = self.only_case(*changed(ONE, kernel=kernel))
+            record = self.only_case(*changed(ONE, kernel=kernel, path_length=3))
             work, statistics = record["work"], record["statistics"]
             self.assertEqual(work["shadow_rays"] > 0, asks_lamps)
             self.assertEqual(work["light_segments"] > 0, leaves_lamps)
