@@ -30,12 +30,12 @@
     F(EngineLaunch, units_per_lane) F(EngineLaunch, first_unit) F(EngineLaunch, slice)                 \
     F(EngineLaunch, strata_columns) F(EngineLaunch, stratum_width) F(EngineLaunch, stratum_height)     \
     F(EngineLaunch, radiance_scale) F(EngineLaunch, squares_scale) F(EngineLaunch, lamps)              \
-    F(EngineLaunch, height) F(EngineLaunch, padding) F(EngineLaunch, picture) F(EngineLaunch, lamp)    \
+    F(EngineLaunch, height) F(EngineLaunch, light_slice) F(EngineLaunch, padding) F(EngineLaunch, picture) F(EngineLaunch, lamp)    \
     S(Tally) F(Tally, radiance) F(Tally, squares) F(Tally, samples) F(Tally, segments)                 \
     F(Tally, full_length_paths) F(Tally, shadow_rays)                                                  \
     S(FilmPixel) F(FilmPixel, radiance) F(FilmPixel, squares) F(FilmPixel, samples)                    \
     F(FilmPixel, segments) F(FilmPixel, full_length_paths) F(FilmPixel, shadow_rays)                   \
-    S(Splat) F(Splat, radiance) F(Splat, light_segments) F(Splat, broken)                              \
+    S(Splat) F(Splat, radiance) F(Splat, light_segments) F(Splat, shadow_rays) F(Splat, broken) F(Splat, padding) \
     S(ThesisMaterial) F(ThesisMaterial, colour) F(ThesisMaterial, radiance) F(ThesisMaterial, type)   \
     F(ThesisMaterial, ior) F(ThesisMaterial, scatters) F(ThesisMaterial, padding)                     \
     S(ThesisSphere) F(ThesisSphere, centre_radius) F(ThesisSphere, material)                          \
