@@ -44,10 +44,11 @@ function(ptbench_oclgrind_counts kernel scene)
 endfunction()
 
 ptbench_oclgrind_counts(thesis thesis)
-foreach(kernel pt pt_nee pt_lt direct whitted)
+foreach(kernel pt pt_nee direct whitted)
   ptbench_oclgrind_counts(${kernel} thesis)
   ptbench_oclgrind_counts(${kernel} balls:40)
 endforeach()
+ptbench_oclgrind_counts(pt_lt thesis 6)
 ptbench_oclgrind_counts(bdpt thesis 4) # all pairs take their time
 ptbench_oclgrind_counts(rays mesh_room 1 bvh=bvh2 ray_kind=bounce1)
 ptbench_oclgrind_counts(pt far_apart)
