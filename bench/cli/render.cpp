@@ -18,6 +18,7 @@
 #include "bench/worker/device_worker.h"
 #include "core/image/image_io.h"
 #include "core/input/printable.h"
+#include "core/integrator/registry.h"
 
 namespace ptb {
 namespace {
@@ -52,6 +53,9 @@ void check_time(const RenderFlags& flags, const Case& c) {
     if (names_spp(flags))
         throw UsageError(
             "--time: found beside --spp; allowed: one of them, since the time decides the samples");
+    if (integrator(c.kernel).lists_rays)
+        throw UsageError(fmt::format(
+            "--time: found beside kernel {}, whose list has its length; allowed: --spp", c.kernel));
     if (c.variant.pixel_filter == PixelFilter::stratified)
         throw UsageError(
             "--time: found beside pixel_filter stratified, whose grid is laid by --spp; allowed: "

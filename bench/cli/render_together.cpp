@@ -189,8 +189,10 @@ int render_together(const Options& options, const Case& params, const std::vecto
     tell_outcome(options, picture, film.hash);
     if (!picture.whole()) return exit_codes::interrupted;
     if (!repeated || repeated->film_hash == film.hash) return exit_codes::done;
-    tell(options.common, fmt::format("error: --ranges: film {} where {} has {}: a device computes otherwise",
-                                     film.hash, flags.ranges, repeated->film_hash));
+    put(stderr,
+        fmt::format("error: --ranges: film {} where {} has {}: a device computes otherwise, or the file was "
+                    "changed\n",
+                    film.hash, flags.ranges, repeated->film_hash));
     return exit_codes::wrong_image;
 }
 

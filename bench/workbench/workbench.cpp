@@ -139,6 +139,10 @@ std::vector<Peak> Workbench::peaks(const Stage& stage) const {
                          [&](const std::string& name) { stage("peak " + name, 0); });
 }
 
-double Workbench::estimate(const Case& params) { return pace_.ns_per_sample(resolve(params)); }
+double Workbench::estimate(const Case& params) {
+    const CaseJob job = resolve(params);
+    refuse_unsupported(job, builds_.device());
+    return pace_.ns_per_sample(job);
+}
 
 }  // namespace ptb

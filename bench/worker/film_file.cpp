@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -10,6 +11,7 @@
 
 #include "bench/record/fields.h"
 #include "core/file/replace_file.h"
+#include "core/render/film_hash.h"
 
 namespace ptb {
 
@@ -19,6 +21,7 @@ struct FilmHeader {
     int width = 0, height = 0, radiance_scale = 0, squares_scale = 0;
     bool variance = false;
     std::uint64_t light_segments = 0;
+    std::string hash;  ///< of its pixels: a folder may damage a file and keep its size
 };
 
 template <>
@@ -26,7 +29,7 @@ inline constexpr auto fields<FilmHeader> = std::make_tuple(
     required("schema", &FilmHeader::schema), required("width", &FilmHeader::width),
     required("height", &FilmHeader::height), required("radiance_scale", &FilmHeader::radiance_scale),
     required("squares_scale", &FilmHeader::squares_scale), required("variance", &FilmHeader::variance),
-    required("light_segments", &FilmHeader::light_segments));
+    required("light_segments", &FilmHeader::light_segments), required("hash", &FilmHeader::hash));
 
 namespace {
 
@@ -34,9 +37,15 @@ namespace fs = std::filesystem;
 
 constexpr const char* film_schema = "ptbench.film.v1";
 
+std::string hash_of(const FilmSums& sums) {
+    FilmHash hash;
+    hash.add(std::span<const FilmPixel>(sums.pixels));
+    return hash.text();
+}
+
 FilmHeader header_of(const FilmSums& sums) {
-    return {film_schema,        sums.size.width,   sums.size.height,   sums.scale.radiance,
-            sums.scale.squares, sums.has_variance, sums.light_segments};
+    return {film_schema,        sums.size.width,   sums.size.height,    sums.scale.radiance,
+            sums.scale.squares, sums.has_variance, sums.light_segments, hash_of(sums)};
 }
 
 [[noreturn]] void fail(const fs::path& file, const std::string& reason) {
@@ -47,11 +56,15 @@ std::streamsize bytes_of(const FilmSums& sums) {
     return static_cast<std::streamsize>(sums.pixels.size() * sizeof(FilmPixel));
 }
 
-FilmSums described_by(const std::string& line, const fs::path& file) {
+FilmHeader read_header(const std::string& line, const fs::path& file) {
     FilmHeader header;
     const std::string origin = file.string();
     decode(parse_json(line, origin), Where(origin), header);
     if (header.schema != film_schema || header.width < 1 || header.height < 1) fail(file, "is no film");
+    return header;
+}
+
+FilmSums described_by(const FilmHeader& header) {
     return {{header.width, header.height},
             {header.radiance_scale, header.squares_scale},
             header.variance,
@@ -81,11 +94,13 @@ FilmSums read_film(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string line;
     if (!std::getline(in, line)) fail(file, "cannot be read");
-    FilmSums sums = described_by(line, file);
+    const FilmHeader header = read_header(line, file);
+    FilmSums sums = described_by(header);
     const auto bytes = static_cast<std::uintmax_t>(sums.size.pixels()) * sizeof(FilmPixel);
     if (fs::file_size(file) != line.size() + 1 + bytes) fail(file, "is not a whole film");
     sums.pixels.resize(sums.size.pixels());
     if (!in.read(reinterpret_cast<char*>(sums.pixels.data()), bytes_of(sums))) fail(file, "cannot be read");
+    if (hash_of(sums) != header.hash) fail(file, "is damaged: its hash is not that of its first line");
     return sums;
 }
 

@@ -107,7 +107,11 @@ class DeviceSession : public WorkerSession {
     Response estimate(const Request& request) {
         Response response;
         response.kind = Response::Kind::estimate;
-        response.ns_per_sample = bench_->estimate(request.params);
+        try {
+            response.ns_per_sample = bench_->estimate(request.params);
+        } catch (const Unsupported& error) {
+            response = refused(error.what());
+        }
         return response;
     }
 

@@ -66,6 +66,8 @@ std::string cost_reason(const Integrator& integrator, const Scene& scene, const 
     if (!job.cost) return "";
     if (scene.meshes.empty())
         return fmt::format("aov cost: scene {} has no meshes, whose tree it shows", scene.name);
+    if (integrator.lists_rays)
+        return fmt::format("aov cost: {} shows where rays end; --peaks counts what they take", integrator.id);
     if (integrator.independent_pixels) return "";
     return fmt::format("aov cost: samples of {} belong to no pixel alone", integrator.id);
 }

@@ -51,6 +51,8 @@ class Render(CliTest):
             (("-o", "x.png", "--time", "1", "--wg", "8x8"), "one-dimensional"),
             (("-o", "x.png", "--aov", "depth"), "--aov"),
             (("-o", "x.png", "--aov", "cost"), "aov cost: scene thesis has no meshes"),
+            (("-o", "x.png", "--aov", "cost", "--scene", "knot", "--kernel", "rays"), "aov cost: rays shows where rays end"),
+            (("-o", "x.png", "--time", "1", "--scene", "knot", "--kernel", "rays"), "--time: found beside kernel rays"),
             (("-o", "x.png", "--aov", "cost", "--scene", "knot", "--kernel", "thesis"), "thesis sees spheres alone"),
         ]:
             with self.subTest(words):

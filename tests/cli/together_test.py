@@ -86,6 +86,7 @@ class Together(CliTest):
         self.scratch.write("r.json", {})
         for words, says in [
             (("--kernel", "thesis"), "several devices cannot share its pictures"),
+            (("--kernel", "rays"), "scene thesis has no meshes"),
             (("--time", "1"), "--time: found beside 2 devices"),
             (("--aov", "cost", "--scene", "knot"), "--aov: found \"cost\""),
             (("--launcher", "env"), "--launcher: found beside 2 devices"),

@@ -66,7 +66,7 @@ TEST(FilmSums, of_another_image_are_refused) {
     EXPECT_THROW(add_sums(sums, wider), std::invalid_argument);
 }
 
-TEST(FilmFile, keeps_every_bit_and_refuses_what_is_cut) {
+TEST(FilmFile, keeps_every_bit_and_refuses_what_is_cut_or_damaged) {
     const auto file = std::filesystem::temp_directory_path() / "ptb_film_sums_test.film";
     const FilmSums sums = sums_of(-8, 16, 7);
     write_film(file, sums);
@@ -75,6 +75,12 @@ TEST(FilmFile, keeps_every_bit_and_refuses_what_is_cut) {
     EXPECT_EQ(read.scale, sums.scale);
     EXPECT_EQ(read.light_segments, 7u);
     EXPECT_TRUE(read.has_variance);
+    {
+        std::fstream damaged(file, std::ios::in | std::ios::out | std::ios::binary);
+        damaged.seekp(-9, std::ios::end).put('\x7f');
+    }
+    EXPECT_THROW(read_film(file), std::runtime_error);
+    write_film(file, sums);
     std::filesystem::resize_file(file, std::filesystem::file_size(file) - 1);
     EXPECT_THROW(read_film(file), std::runtime_error);
     std::ofstream(file) << "{}\n";
