@@ -58,8 +58,9 @@ def segments(ptbench, device, _most):
 
 
 def grown(folder, scene, shape, detail):
-    """A shipped scene with another number of triangles."""
+    """A shipped scene with another number of triangles, and a name of its own: the reference is of another picture."""
     text = json.loads((SCENES / f"{scene}.json").read_text(encoding="utf-8"))
+    text["name"] = f"{scene}_{detail}"
     for mesh in text["meshes"]:
         if mesh.get("shape") == shape:
             mesh["detail"] = detail
