@@ -223,9 +223,7 @@ std::unique_ptr<PictureCrew> joined_crew(SharedJob job, const OpenChannel& open,
 }
 
 double share_of(const std::vector<DeviceParts>& by, std::uint64_t part_count) {
-    std::uint64_t parts = 0;
-    for (const DeviceParts& each : by) parts += each.count();
-    return 100.0 * static_cast<double>(parts) / static_cast<double>(part_count);
+    return 100.0 * static_cast<double>(parts_made(by)) / static_cast<double>(part_count);
 }
 
 /// Of all nodes, where it is whole; or says how far it is.

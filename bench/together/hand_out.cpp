@@ -10,12 +10,6 @@ constexpr double least_s = 0.020;  ///< of work: so much one device may end late
 constexpr double of_share = 0.5;
 constexpr std::uint64_t growth = 8;  ///< a piece is at most so many times as large as the one before
 
-std::uint64_t sum_of(const std::vector<PartRange>& ranges) {
-    std::uint64_t sum = 0;
-    for (const PartRange& range : ranges) sum += range.count();
-    return sum;
-}
-
 }  // namespace
 
 std::vector<PartRange> joined(std::vector<PartRange> ranges) {
@@ -63,7 +57,7 @@ std::uint64_t HandOut::wanted_by(const Device& device) const {
     for (const Device& each : devices_) all += each.parts_per_s;
     const double share = all > 0 ? device.parts_per_s / all : 1;
     const double least = least_s * device.parts_per_s;
-    const double of_rest = of_share * share * static_cast<double>(sum_of(open_));
+    const double of_rest = of_share * share * static_cast<double>(count_of(open_));
     const double most = device.last_parts > 0 ? static_cast<double>(growth * device.last_parts) : least;
     return static_cast<std::uint64_t>(
         std::max(1.0, std::min(std::max(least, of_rest), std::max(most, least))));
@@ -148,7 +142,7 @@ std::vector<PartRange> HandOut::delivered_by(std::size_t device) const {
 std::uint64_t HandOut::made_so_far() const {
     const std::lock_guard lock(mutex_);
     std::uint64_t made = 0;
-    for (const Device& each : devices_) made += sum_of(each.kept) + sum_of(each.delivered);
+    for (const Device& each : devices_) made += count_of(each.kept) + count_of(each.delivered);
     return made;
 }
 

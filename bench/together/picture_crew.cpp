@@ -41,14 +41,8 @@ void wait_for(std::vector<std::future<void>>& all) {
 
 }  // namespace
 
-std::uint64_t SharedPicture::parts_made() const {
-    std::uint64_t made = 0;
-    for (const DeviceParts& each : by) made += each.count();
-    return made;
-}
-
 double SharedPicture::parts_per_s() const {
-    return wall_s > 0 ? static_cast<double>(parts_made()) / wall_s : 0;
+    return wall_s > 0 ? static_cast<double>(parts_made(by)) / wall_s : 0;
 }
 
 double SharedPicture::efficiency() const {

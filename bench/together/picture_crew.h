@@ -29,8 +29,7 @@ struct SharedPicture {
     double wall_s = 0;  ///< until all films were added
     std::vector<std::string> remarks{};
 
-    std::uint64_t parts_made() const;
-    bool whole() const { return parts_made() == part_count; }
+    bool whole() const { return parts_made(by) == part_count; }
     /// The speed, in multiples of that of all devices together while each is making its parts.
     double efficiency() const;
     /// The same, of the fastest device alone.

@@ -32,10 +32,10 @@ inline constexpr auto fields<DeviceParts> =
                     field("driver_version", &DeviceParts::driver_version),
                     required("parts", &DeviceParts::parts), field("busy_s", &DeviceParts::busy_s));
 
-std::uint64_t DeviceParts::count() const {
-    std::uint64_t sum = 0;
-    for (const PartRange& range : parts) sum += range.count();
-    return sum;
+std::uint64_t parts_made(const std::vector<DeviceParts>& by) {
+    std::uint64_t made = 0;
+    for (const DeviceParts& each : by) made += each.count();
+    return made;
 }
 
 std::string fault_of(const PictureRanges& ranges) {

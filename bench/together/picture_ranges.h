@@ -19,9 +19,12 @@ struct DeviceParts {
     double busy_s = 0;    ///< making them, by the host's clock
     double device_s = 0;  ///< by the device's
 
-    std::uint64_t count() const;
+    std::uint64_t count() const { return count_of(parts); }
     double parts_per_s() const { return busy_s > 0 ? static_cast<double>(count()) / busy_s : 0; }
 };
+
+/// By all of them.
+std::uint64_t parts_made(const std::vector<DeviceParts>& by);
 
 /// Who made what of a picture: all that its bits depend on.
 struct PictureRanges {

@@ -23,14 +23,6 @@ void end_shared(Record& record, Status status, const std::string& reason) {
     record.shared.reset();
 }
 
-Response stage_response(const std::string& stage, double done) {
-    Response response;
-    response.kind = Response::Kind::progress;
-    response.stage = stage;
-    response.done = done;
-    return response;
-}
-
 /// By the host's clock, since each device has one of its own; beside it the longest time of a device by its
 /// own, and the sum of all.
 void add_time(TimeSample& sample, const SharedPicture& picture) {
@@ -94,8 +86,9 @@ class SharedMeasurement {
     TimedRender sample(const std::string& stage, int renders) {
         TimedRender timed;
         for (int i = 0; i < renders && !stopped_(); ++i) {
-            last_ = crew_.make({{0, crew_.part_count()}},
-                               [&](double done) { progress_(stage_response(stage, (i + done) / renders)); });
+            last_ = crew_.make({{0, crew_.part_count()}}, [&](double done) {
+                progress_(progress_response(stage, (i + done) / renders));
+            });
             add_time(timed.time, last_);
         }
         return timed;

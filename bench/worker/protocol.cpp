@@ -80,6 +80,14 @@ Message parse_message(const std::string& line) {
 
 }  // namespace
 
+Response progress_response(const std::string& stage, double done) {
+    Response response;
+    response.kind = Response::Kind::progress;
+    response.stage = stage;
+    response.done = done;
+    return response;
+}
+
 std::string to_line(const Request& request) {
     Json json = encode(request);
     if (!of_a_case(request)) json.erase("params");

@@ -96,6 +96,9 @@ struct Response {
     bool operator==(const Response&) const = default;
 };
 
+/// Of a worker that is at work.
+Response progress_response(const std::string& stage, double done);
+
 std::string to_line(const Request& request);
 std::string to_line(const Response& response);
 /// Throw std::runtime_error on anything that is not a message of this protocol.

@@ -121,11 +121,7 @@ class DeviceSession : public WorkerSession {
             if (stage == last_stage && seconds_since(last_ns) < quiet_s) return;
             last_stage = stage;
             last_ns = now_ns();
-            Response response;
-            response.kind = Response::Kind::progress;
-            response.stage = stage;
-            response.done = done;
-            send(response);
+            send(progress_response(stage, done));
         };
     }
 

@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <vector>
 
 namespace ptb {
 
@@ -19,5 +20,11 @@ struct PartRange {
     std::uint64_t count() const { return end - first; }
     auto operator<=>(const PartRange&) const = default;
 };
+
+inline std::uint64_t count_of(const std::vector<PartRange>& ranges) {
+    std::uint64_t sum = 0;
+    for (const PartRange& range : ranges) sum += range.count();
+    return sum;
+}
 
 }  // namespace ptb

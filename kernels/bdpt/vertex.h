@@ -48,22 +48,29 @@ ALWAYS_INLINE Arrival meet(const World* world, const Path* path COUNTED_PARAMETE
     return met;
 }
 
-/* Moves a path to what it met. `last` is the density by area with which the other end makes the vertex there, over this
-   end's, for a density by solid angle of 1 and a cosine of 1. */
-ALWAYS_INLINE Vertex move_to_vertex(Path* path, const Arrival* met, Odds* odds, lanes_f last, lanes_mask alive COUNTED_PARAMETER) {
-    COUNTED_LANES(alive, BDPT_VERTEX_WORK)
+/* Moves a path to what it met. The vertex there lacks odds and density, which say how it is reached by other strategies. */
+ALWAYS_INLINE Vertex move_there(Path* path, const Arrival* met, lanes_mask alive) {
     move_to_hit(&path->ray, &met->hit);
     path->throughput = vec_mul(path->throughput, met->surface.weight);
     Vertex vertex;
     vertex.position = path->ray.origin;
     vertex.normal = matte_normal(path, &met->surface);
     vertex.weight = vec_scale(path->throughput, (lanes_f)(1.0f / PI));
-    vertex.density = met->goes_on * (1.0f / PI);
-    odds->last = -last / vec_dot(vertex.normal, path->ray.direction);
-    vertex.odds = odds->last + odds->earlier * vertex.density;
+    vertex.odds = vertex.density = (lanes_f)(0.0f);
     vertex.inside = path->inside;
     vertex.face = met->face;
     vertex.joins = alive & met->matte;
+    return vertex;
+}
+
+/* Moves a path to what it met. `last` is the density by area with which the other end makes the vertex there, over this
+   end's, for a density by solid angle of 1 and a cosine of 1. */
+ALWAYS_INLINE Vertex move_to_vertex(Path* path, const Arrival* met, Odds* odds, lanes_f last, lanes_mask alive COUNTED_PARAMETER) {
+    COUNTED_LANES(alive, BDPT_VERTEX_WORK)
+    Vertex vertex = move_there(path, met, alive);
+    vertex.density = met->goes_on * (1.0f / PI);
+    odds->last = -last / vec_dot(vertex.normal, path->ray.direction);
+    vertex.odds = odds->last + odds->earlier * vertex.density;
     return vertex;
 }
 
@@ -72,6 +79,11 @@ ALWAYS_INLINE lanes_mask sides_differ(const Sides* a, const Sides* b) {
     lanes_mask differ = a->word[0] != b->word[0];
     for (uint i = 1; i < SCENE_SIDE_WORDS; ++i) differ |= a->word[i] != b->word[i];
     return differ;
+}
+
+/* The squared index of refraction that paths passed into, over that which they came from. */
+ALWAYS_INLINE lanes_f squeezed_by(const Surface* surface, const Sides* before, const Sides* after) {
+    return lanes_select((lanes_f)(1.0f), surface->eta_squared, sides_differ(before, after));
 }
 
 /* Sends a path on from what it met; returns the lanes that go on. `carries` light, not a view: radiance here is not scaled by the
@@ -88,8 +100,7 @@ ALWAYS_INLINE lanes_mask bounce(const World* world, Path* path, const Arrival* m
     odds->earlier = lanes_select(odds->earlier, odds->earlier + odds->last * inverse_chance, met->matte);
     odds->last = lanes_select((lanes_f)(0.0f), 2.0f * half_inverse_cosine * inverse_chance, met->matte);
     if (two_sided_spheres(world->scene) > 0u) {
-        const lanes_mask through = sides_differ(&before, &path->inside);
-        const lanes_f squeezed = lanes_select((lanes_f)(1.0f), met->surface.eta_squared, through);
+        const lanes_f squeezed = squeezed_by(&met->surface, &before, &path->inside);
         odds->earlier = odds->earlier * squeezed;
         if (carries) path->throughput = vec_scale(path->throughput, squeezed);
     }

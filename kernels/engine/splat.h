@@ -34,8 +34,11 @@ static inline Picture picture_of(const EngineLaunch* launch, float4 camera, __gl
 }
 
 /* 1 / density, by solid angle, of the directions that samples of the whole picture take; `cosine` is that with the axis. */
+static inline lanes_f inverse_of_frame(const PtbPicture* frame, lanes_f cosine) {
+    return cosine * cosine * cosine * frame->axis_area.w;
+}
 static inline lanes_f inverse_of_picture(const Picture* picture, lanes_f cosine) {
-    return cosine * cosine * cosine * picture->frame.axis_area.w;
+    return inverse_of_frame(&picture->frame, cosine);
 }
 
 /* The lanes whose direction, from the camera and of length 1, lies in the picture, and the pixel there. */

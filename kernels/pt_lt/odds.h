@@ -8,24 +8,19 @@
 #include "bdpt/vertex.h"
 #include "pt_lt/work.h"
 
-/* The squared index of refraction that paths passed into, over that which they came from. */
-ALWAYS_INLINE lanes_f squeezed(const Sides* before, const Sides* after, const Surface* surface) {
-    return lanes_select((lanes_f)(1.0f), surface->eta_squared, sides_differ(before, after));
-}
-
 /* After a segment of camera paths. What a mirror or glass shows first no vertex of a light path is shown by: odds of 0. */
 ALWAYS_INLINE void note_odds(const World* world, Path* path, const Hit* hit, Vec direction, const Sides* before,
                              lanes_mask alive COUNTED_PARAMETER) {
     (void)alive;
     const Surface surface = surface_of(&world->surfaces, hit_face(hit));
     COUNTED(two_sided_spheres(world->scene) > 0u ? counted_lanes(alive) : 0u, PT_LT_GLASS_WORK)
-    if (two_sided_spheres(world->scene) > 0u) path->odds = path->odds * squeezed(before, &path->inside, &surface);
+    if (two_sided_spheres(world->scene) > 0u) path->odds = path->odds * squeezed_by(&surface, before, &path->inside);
     const lanes_mask first = path->odds < 0.0f;
     if (!lanes_any(first)) return;
     COUNTED_LANES(alive & first, PT_LT_FIRST_WORK)
     const lanes_f distance = hit_distance(hit), axis_cosine = vec_dot(direction, vec_of(world->frame->axis_area));
     const lanes_f cosine = -vec_dot(matte_normal(path, &surface), direction) * chance_to_go_on(&surface);
-    const lanes_f odds = distance * distance * (axis_cosine * axis_cosine * axis_cosine * world->frame->axis_area.w) / cosine;
+    const lanes_f odds = distance * distance * inverse_of_frame(world->frame, axis_cosine) / cosine;
     const lanes_mask shown = (surface.mirrored == 0.0f) & (cosine > 0.0f);
     path->odds = lanes_select(path->odds, lanes_select((lanes_f)(0.0f), odds, shown), first);
 }
@@ -33,17 +28,8 @@ ALWAYS_INLINE void note_odds(const World* world, Path* path, const Hit* hit, Vec
 /* Moves light paths to what they met, which is shown where it is matte. */
 ALWAYS_INLINE Vertex move_to_shown(Path* path, const Arrival* met, lanes_mask alive COUNTED_PARAMETER) {
     COUNTED_LANES(alive, PT_LT_VERTEX_WORK)
-    move_to_hit(&path->ray, &met->hit);
-    path->throughput = vec_mul(path->throughput, met->surface.weight);
-    Vertex vertex;
-    vertex.position = path->ray.origin;
-    vertex.normal = matte_normal(path, &met->surface);
-    vertex.weight = vec_scale(path->throughput, (lanes_f)(1.0f / PI));
+    Vertex vertex = move_there(path, met, alive);
     vertex.odds = path->odds * met->goes_on;
-    vertex.density = met->goes_on;
-    vertex.inside = path->inside;
-    vertex.face = met->face;
-    vertex.joins = alive & met->matte;
     return vertex;
 }
 
@@ -55,7 +41,7 @@ ALWAYS_INLINE lanes_mask bounce_light(const World* world, Path* path, const Arri
     const lanes_mask goes_on = alive & !dies(path, met->goes_on);
     if (two_sided_spheres(world->scene) > 0u) {
         COUNTED_LANES(alive, BDPT_GLASS_WORK(true))
-        const lanes_f factor = squeezed(&before, &path->inside, &met->surface);
+        const lanes_f factor = squeezed_by(&met->surface, &before, &path->inside);
         path->odds = path->odds * factor;
         path->throughput = vec_scale(path->throughput, factor);
     }

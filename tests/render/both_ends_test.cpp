@@ -218,10 +218,10 @@ TEST(Bdpt, wrong_shares_are_found) {
              Planted{"density of leaving the lamp x 1.1", "bdpt/join.h",
                      "lamp.area_density * (1.0f / PI) * view->odds",
                      "1.1f * lamp.area_density * (1.0f / PI) * view->odds"},
-             Planted{"the picture's density of a pixel", "engine/splat.h",
-                     "cosine * cosine * cosine * picture->frame.axis_area.w",
-                     "cosine * cosine * cosine * picture->frame.axis_area.w / (picture->width * "
-                     "picture->height)"},
+             Planted{
+                 "the picture's density of a pixel", "engine/splat.h",
+                 "return inverse_of_frame(&picture->frame, cosine);",
+                 "return inverse_of_frame(&picture->frame, cosine) / (picture->width * picture->height);"},
              Planted{"light that the camera sees is left out", "bdpt/bdpt.cl",
                      "    show_all(world, picture, light, &path->inside, traced COUNTED_ARGUMENT);\n", ""},
              Planted{"what is met counts in full", "bdpt/join.h", "whole / (whole + others), is_lamp",
@@ -264,7 +264,7 @@ TEST(LightTracing, wrong_shares_are_found) {
              Planted{"what is met counts in full", "engine/light.h", "share / (1.0f +",
                      "share / (1.0f + 0.0f *"},
              Planted{"glass left out of the odds of what is met", "pt_lt/odds.h",
-                     "path->odds = path->odds * squeezed(before, &path->inside, &surface);", ";"},
+                     "path->odds = path->odds * squeezed_by(&surface, before, &path->inside);", ";"},
              Planted{"glass left out of the odds of what is shown", "pt_lt/odds.h",
                      "path->odds = path->odds * factor;", ";"},
              Planted{"light that passes glass is not scaled", "pt_lt/odds.h",

@@ -65,25 +65,17 @@ void misbehave(const std::string& how) {
     }
 }
 
-Response progress(const std::string& stage, double done) {
-    Response response;
-    response.kind = Response::Kind::progress;
-    response.stage = stage;
-    response.done = done;
-    return response;
-}
-
 /// Takes longer than a test's timeout, but is never silent for as long.
 void be_slow() {
     for (int i = 0; i < 10; ++i) {
-        answer_with(progress("sample", i / 10.0));
+        answer_with(progress_response("sample", i / 10.0));
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
 }
 
 void answer_open(const Request& request) {
     const std::string how = variable("FAKE_OPEN");
-    answer_with(progress("open", 0));
+    answer_with(progress_response("open", 0));
     misbehave(how);
     Response response;
     response.facts = facts_here(request.measure.kernel_dir);
