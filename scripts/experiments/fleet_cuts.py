@@ -14,6 +14,8 @@ import sys
 import tempfile
 import time
 
+import moments
+
 HERE = pathlib.Path(__file__).resolve().parent
 NODES = ("n1", "n2", "n3", "n4")
 SPP = [str(1000 + i) for i in range(8)]
@@ -93,17 +95,20 @@ class Fleet:
                     found[key] = record
         return found
 
+    def done(self):
+        return len(self.records())
+
     def merged(self):
         subprocess.run([self.binary, "report", "F"], cwd=self.folder, stdout=subprocess.DEVNULL, check=True)
         return (self.folder / "F/result.json").read_bytes()
 
 
-def one_cut(binary, chance, whole_s, daemons):
+def one_cut(binary, chance, ends, daemons):
     """Records before and after, and cases whose end was printed."""
     with tempfile.TemporaryDirectory(prefix="ptbench-cut-") as scratch:
         fleet = Fleet(binary, scratch)
         run = fleet.start("-N4")
-        time.sleep(chance.uniform(0, whole_s))
+        moments.wait_for_moment(run, fleet.done, moments.any_moment(chance, ends))
         node = chance.choice(NODES)
         cut_power(node)
         _, said = run.communicate(timeout=120)
@@ -127,20 +132,20 @@ def main():
     binary, cuts, seed = sys.argv[1], int((sys.argv[2:] or ["50"])[0]), int((sys.argv[3:] or ["1"])[0])
     chance = random.Random(seed)
     daemons = []
-    begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="ptbench-cut-") as scratch:
         fleet = Fleet(binary, scratch)
-        ensure(fleet.start("-N4").wait() == 0, "the undisturbed run failed")
-        planned = len(fleet.records())
-    whole_s = time.monotonic() - begin
+        whole = fleet.start("-N4")
+        ends = moments.ends_of(whole, fleet.done)
+        ensure(whole.returncode == 0, "the undisturbed run failed")
+        planned = fleet.done()
     kept = measured = 0
     for _ in range(cuts):
-        before, after = one_cut(binary, chance, whole_s, daemons)
+        before, after = one_cut(binary, chance, ends, daemons)
         ensure(after == planned, f"{after} records of {planned}")
         kept, measured = kept + before, measured + after - before
     for daemon in daemons:
         daemon.terminate()
-    print(f"{cuts} power cuts in fleets of {planned} cases ({whole_s:.1f} s undisturbed): {kept} records kept, {measured} measured after; "
+    print(f"{cuts} power cuts in fleets of {planned} cases ({ends[-1]:.1f} s undisturbed): {kept} records kept, {measured} measured after; "
           "no breach")
 
 

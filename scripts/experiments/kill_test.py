@@ -20,6 +20,8 @@ import sys
 import tempfile
 import time
 
+import moments
+
 # 16 cases on PoCL's two devices, of some 0.2 s each.
 PLAN = ("-d", "cpu", "--kernel", "pt", "--size", "64", "--spp", "150,200,250,300", "--path-length", "5", "--wg",
         "8,16", "--max-time", "0.3", "--timeout", "60")
@@ -89,17 +91,21 @@ class Trial:
     def stderr(self):
         return (self.folder / "stderr").read_text()
 
-    def whole_run(self):
-        """Seconds of a run that nobody disturbs, and its cases."""
-        begin = time.monotonic()
-        code = self.start(*PLAN, "--out", "out").wait()
-        ensure(code == 0, f"the undisturbed run ends with {code}: {self.stderr()}")
-        return time.monotonic() - begin, [key(record) for record in read_journal(self.journal)]
+    def done(self):
+        """Cases whose end was printed so far."""
+        return printed(self.stderr())
 
-    def kill(self, victim, after_s):
+    def whole_run(self):
+        """When each case of a run that nobody disturbs was done, in seconds, and the cases."""
+        process = self.start(*PLAN, "--out", "out")
+        ends = moments.ends_of(process, self.done)
+        ensure(process.returncode == 0, f"the undisturbed run ends with {process.returncode}: {self.stderr()}")
+        return ends, [key(record) for record in read_journal(self.journal)]
+
+    def kill(self, victim, moment):
         """Starts a run and kills; False if there was nothing to kill any more. The run has ended then."""
         process = self.start(*PLAN, "--out", "out")
-        time.sleep(after_s)
+        moments.wait_for_moment(process, self.done, moment)
         workers = children(process.pid, "worker")
         targets = [process.pid] if victim == "coordinator" else children(process.pid, "worker", "--device")[:1]
         hit = process.poll() is None and bool(targets)
@@ -120,7 +126,7 @@ class Trial:
     def check_journal(self):
         """The records that are safe."""
         records = read_journal(self.journal)
-        ensure(printed(self.stderr()) <= len(records), "a case whose end was printed is not in the journal")
+        ensure(self.done() <= len(records), "a case whose end was printed is not in the journal")
         return records
 
     def resume(self, planned, kept):
@@ -133,18 +139,18 @@ class Trial:
         ensure(code == min(statuses["crash"], 1), f"the resumed run ends with {code}: {self.stderr()}")
         before = {key(record): record for record in kept}
         ensure(all(record == before.get(key(record), record) for record in result["cases"]), "a record has changed")
-        measured = printed(self.stderr())
+        measured = self.done()
         ensure(measured == len(planned) - len(kept), f"{measured} cases measured, {len(planned) - len(kept)} missing")
         ensure(sorted(map(key, read_journal(self.journal))) == sorted(planned), "the journal is not whole")
         return statuses["crash"], measured
 
 
-def one_kill(binary, victim, after_s, planned):
+def one_kill(binary, victim, moment, planned):
     """What came of it: cases kept, measured again, and records of crashes; None where nothing was hit or written."""
     with tempfile.TemporaryDirectory(prefix="ptbench-kill-") as folder:
         trial = Trial(binary, folder)
-        if not trial.kill(victim, after_s) or not trial.journal.exists():
-            ensure(trial.journal.exists() or printed(trial.stderr()) == 0, "cases without a journal")
+        if not trial.kill(victim, moment) or not trial.journal.exists():
+            ensure(trial.journal.exists() or trial.done() == 0, "cases without a journal")
             return None
         kept = trial.check_journal()
         crashes, measured = trial.resume(planned, kept)
@@ -164,13 +170,13 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
     chance = random.Random(arguments.seed)
-    whole_s, planned = reference(arguments.binary)
-    print(f"{len(planned)} cases, {whole_s:.1f} s undisturbed; {arguments.kills} kills, seed {arguments.seed}\n")
+    ends, planned = reference(arguments.binary)
+    print(f"{len(planned)} cases, {ends[-1]:.1f} s undisturbed; {arguments.kills} kills, seed {arguments.seed}\n")
     rows = {victim: collections.Counter() for victim in VICTIMS}
     done = 0
     while done < arguments.kills:
-        victim, after_s = VICTIMS[done % 2], chance.uniform(0, whole_s)
-        outcome = one_kill(arguments.binary, victim, after_s, planned)
+        victim = VICTIMS[done % 2]
+        outcome = one_kill(arguments.binary, victim, moments.any_moment(chance, ends), planned)
         if outcome is None:
             rows[victim]["nothing to kill, or no journal yet"] += 1
             continue

@@ -44,13 +44,18 @@ def left(patience_s=2):
     return there
 
 
-def trial(name, expected, ptbench, launcher, *words, says="", interrupt_after_s=None, **variables):
+def wait_until(happens):
+    while not happens():
+        time.sleep(0.05)
+
+
+def trial(name, expected, ptbench, launcher, *words, says="", interrupted=False, **variables):
     with tempfile.TemporaryDirectory() as out:
         process = subprocess.Popen([ptbench, *TINY, *words, "--out", out, "--launcher", launcher], stderr=subprocess.PIPE,
                                    stdout=subprocess.DEVNULL, text=True, env={**os.environ, **variables})
         begin = time.monotonic()
-        if interrupt_after_s:
-            time.sleep(interrupt_after_s)
+        if interrupted:
+            wait_until(lambda: process.poll() is not None or any("--device" in each for each in workers()))
             begin = time.monotonic()
             process.send_signal(signal.SIGINT)
         _, said = process.communicate(timeout=120)
@@ -67,7 +72,7 @@ def trial(name, expected, ptbench, launcher, *words, says="", interrupt_after_s=
 def trials(ptbench, layer, one, two):
     yield trial("good run", 0, ptbench, one, "--spp", "2")
     yield trial("two workers", 2, ptbench, two, "--spp", "2", says="found two workers")
-    yield trial("Ctrl-C", 130, ptbench, one, "--spp", "100000000", "--max-total-time", "0", interrupt_after_s=6)
+    yield trial("Ctrl-C", 130, ptbench, one, "--spp", "100000000", "--max-total-time", "0", interrupted=True)
     if layer:
         yield trial("time-out", 1, ptbench, one, "--spp", "2", "--timeout", "3", OPENCL_LAYERS=layer, PTB_FAULT="hang call=clEnqueueNDRangeKernel")
 
@@ -75,7 +80,7 @@ def trials(ptbench, layer, one, two):
 def trial_in_a_queue(ptbench, one):
     """The one node is taken for a while."""
     with subprocess.Popen(["srun", "-n1", "--exclusive", "sleep", "6"]):
-        time.sleep(1)
+        wait_until(jobs)
         return trial("queue", 0, ptbench, one + " --exclusive", "--spp", "2", says="queued and waiting for resources")
 
 

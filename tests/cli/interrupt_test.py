@@ -55,14 +55,13 @@ class Interrupted(CliTest):
         self.run_ok(*ONE, "--out", "out", "-q")
 
     def test_a_second_one_ends_at_once_and_leaves_the_journal(self):
-        process = self.start_and_wait_for_one_record(*LONG, "--no-isolate")  # which cannot stop within a case
-        time.sleep(1)  # the second case has begun
+        process, terminal = self.start_in_terminal(*LONG, "--no-isolate", "--out", "out")  # which cannot stop within a case
+        terminal.wait_for(r"\[2/3\][^\r]* (warmup|sample) ")
         process.send_signal(signal.SIGINT)
         time.sleep(0.2)
         self.assertIsNone(process.poll(), "one signal was enough; nothing is tested")
         process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130, err)
+        self.assertEqual(terminal.end_of(process), 130, terminal.text)
         lines = [json.loads(line) for line in self.scratch.journal()]
         self.assertEqual([ended(line) for line in lines[1:]], ["ok"])
         for folder in (self.scratch.root / "tmp").iterdir():  # it had no time to tidy up

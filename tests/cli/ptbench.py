@@ -4,6 +4,9 @@ import copy
 import json
 import os
 import pathlib
+import pty
+import re
+import select
 import shutil
 import statistics
 import subprocess
@@ -129,6 +132,40 @@ class Scratch:
         return sorted(file.name for file in (self.root / "tmp").iterdir())
 
 
+class Terminal:
+    """What a process shows on one, as it comes: moments of its progress."""
+
+    def __init__(self):
+        self.ours, self.theirs = pty.openpty()
+        self.shown = b""
+
+    @property
+    def text(self):
+        """Line ends are as they were written."""
+        return self.shown.decode().replace("\r\n", "\n")
+
+    def more(self):
+        """False once the other side is closed."""
+        assert select.select([self.ours], [], [], 60)[0], f"nothing more is shown after {self.shown}"
+        try:
+            block = os.read(self.ours, 4096)
+        except OSError:
+            block = b""
+        self.shown += block
+        return bool(block)
+
+    def wait_for(self, pattern):
+        while not re.search(pattern, self.text):
+            assert self.more(), f"it ended without {pattern}: {self.text}"
+
+    def end_of(self, process):
+        """The exit code, once all is read."""
+        while self.more():
+            pass
+        process.communicate(timeout=60)
+        return process.returncode
+
+
 class CliTest(unittest.TestCase):
     """Each test has a scratch folder; none may leave temporary files."""
 
@@ -139,12 +176,20 @@ class CliTest(unittest.TestCase):
     def tearDown(self):
         self.assertEqual(self.scratch.temporary_files(), [], "temporary files are left behind")
 
-    def start(self, *words):
+    def start(self, *words, **options):
         """A process that does not outlive the test."""
-        process = self.scratch.start(*words)
+        process = self.scratch.start(*words, **options)
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         return process
+
+    def start_in_terminal(self, *words, **variables):
+        """A process, and the terminal that has its stderr."""
+        terminal = Terminal()
+        process = self.start(*words, stderr=terminal.theirs, **{"TERM": "xterm", **variables})
+        os.close(terminal.theirs)
+        self.addCleanup(os.close, terminal.ours)
+        return process, terminal
 
     def wait_for(self, condition, process):
         deadline = time.monotonic() + 60

@@ -1,7 +1,5 @@
 """Progress on terminals: kept up to date in one line where the cursor moves, plain lines elsewhere."""
 
-import os
-import pty
 import unittest
 
 from ptbench import ONE, CliTest
@@ -11,20 +9,9 @@ PICTURE = ("render", "-d", "pocl:1", "--size", "8", "--spp", "1", "--path-length
 
 class Terminal(CliTest):
     def shown(self, *words, **variables):
-        """What a terminal gets of stderr; its line ends are as they were written."""
-        ours, theirs = pty.openpty()
-        with self.scratch.start(*words, stderr=theirs, **variables) as process:
-            os.close(theirs)
-            text = b""
-            try:
-                while block := os.read(ours, 4096):
-                    text += block
-            except OSError:  # the other side is closed
-                pass
-            process.communicate(timeout=60)
-        os.close(ours)
-        self.assertEqual(process.returncode, 0, text)
-        return text.decode().replace("\r\n", "\n")
+        process, terminal = self.start_in_terminal(*words, **variables)
+        self.assertEqual(terminal.end_of(process), 0, terminal.text)
+        return terminal.text
 
     def test_one_that_moves_its_cursor_has_a_live_line(self):
         for words in (PICTURE, ONE):

@@ -1,4 +1,4 @@
-"""Three kills at set moments; scripts/experiments/kill_test.py does many at random ones."""
+"""Kills after so many cases; scripts/experiments/kill_test.py does many at random ones."""
 
 import os
 import sys
@@ -20,10 +20,12 @@ class Kills(unittest.TestCase):
         self.addCleanup(environment.stop)
 
     def test_a_kill_costs_the_case_in_progress(self):
-        whole_s, planned = kill_test.reference(BINARY)
-        hits = [outcome for victim, share in (("coordinator", 0.6), ("worker", 0.6), ("coordinator", 0.8))
-                if (outcome := kill_test.one_kill(BINARY, victim, share * whole_s, planned))]
-        self.assertTrue(hits, "nothing was killed; nothing is tested")
+        _, planned = kill_test.reference(BINARY)
+        for victim, after in (("coordinator", 1), ("worker", 3), ("worker", 10), ("coordinator", 12)):
+            with self.subTest(victim, after=after):
+                outcome = kill_test.one_kill(BINARY, victim, (after, 0), planned)
+                self.assertIsNotNone(outcome, "nothing was killed; nothing is tested")
+                self.assertGreaterEqual(outcome[0], after)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/wait.h>
 
 namespace ptb {
 namespace {
@@ -45,9 +46,10 @@ TEST(process, silence_is_reported_after_the_timeout) {
 }
 
 TEST(process, a_line_after_silence_is_still_read) {
-    WorkerProcess process(shell("sleep 0.3; echo late"));
+    WorkerProcess process(shell("read word; echo late"));
     std::string line;
     EXPECT_EQ(process.read_line(line, milliseconds(50)), ReadStatus::silent);
+    process.write_line("word\n");
     EXPECT_EQ(first_line(process), "late");
 }
 
@@ -80,7 +82,8 @@ TEST(process, an_end_is_seen_though_a_grandchild_holds_the_pipes) {
 
 TEST(process, lines_before_the_end_are_read) {
     WorkerProcess process(shell("echo a; echo b; kill -9 $$"));
-    std::this_thread::sleep_for(milliseconds(200));
+    siginfo_t how;
+    ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(process.pid()), &how, WEXITED | WNOWAIT), 0);
     EXPECT_EQ(first_line(process), "a");
     EXPECT_EQ(first_line(process), "b");
 }
