@@ -29,7 +29,7 @@ void check_ply(const File& file);
 /// together.
 std::string bare_glb(const File& file);
 
-/// Files beside a glTF document that its buffers are in.
+/// Files beside a glTF or GLB document that its buffers are in.
 std::vector<std::filesystem::path> buffer_files(const File& file);
 
 }  // namespace ptb::mesh_formats

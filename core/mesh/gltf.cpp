@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstring>
 #include <map>
 #include <vector>
@@ -51,6 +52,43 @@ Document open_glb(const File& file) {
         at += 8 + length;
     }
     return document;
+}
+
+Document document_of(const File& file) {
+    if (file.bytes > most_bytes) file.fail(fmt::format("it is larger than {} MiB", most_bytes >> 20));
+    if (file.part(0, 4) == "glTF") return open_glb(file);
+    check_text(file);
+    return {file.part(0, file.bytes), {}};
+}
+
+constexpr const char* allowed_buffers = "a file in this one's folder or below, or data in base64";
+
+/// "%20" is a space: see RFC 3986, "Uniform Resource Identifier (URI): Generic Syntax".
+std::string decoded(const JsonNode& node, const std::string& uri) {
+    std::string text;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        if (uri[i] != '%') {
+            text += uri[i];
+            continue;
+        }
+        unsigned char byte = 0;
+        const char* const first = uri.data() + i + 1;
+        const auto [end, error] =
+            std::from_chars(first, std::min(first + 2, uri.data() + uri.size()), byte, 16);
+        if (error != std::errc() || end != first + 2 || byte == 0)
+            node.refuse("two hexadecimal digits, not 00, after each %");
+        text += static_cast<char>(byte);
+        i += 2;
+    }
+    return text;
+}
+
+/// The file that a buffer's URI names, which is not to lead out of the document's folder.
+std::filesystem::path file_of(const File& document, const JsonNode& node, const std::string& uri) {
+    const std::filesystem::path relative = decoded(node, uri);
+    if (relative.is_absolute() || std::find(relative.begin(), relative.end(), "..") != relative.end())
+        node.refuse(allowed_buffers);
+    return document.path.parent_path() / relative;
 }
 
 /// An index into a list of the document.
@@ -125,10 +163,9 @@ class BareDocument {
         const std::string uri = node.text("the URI of a buffer");
         if (uri.starts_with("data:")) return from_data(node, uri);
         std::error_code error;
-        const File beside{file_.path.parent_path() / uri,
-                          std::filesystem::file_size(file_.path.parent_path() / uri, error)};
-        if (error || !std::filesystem::is_regular_file(beside.path))
-            node.refuse("a file beside this one, or data in base64");
+        File beside{file_of(file_, node, uri)};
+        beside.bytes = std::filesystem::file_size(beside.path, error);
+        if (error || !std::filesystem::is_regular_file(beside.path)) node.refuse(allowed_buffers);
         if (beside.bytes > most_bytes)
             node.where.fail(fmt::format("a file of more than {} MiB", most_bytes >> 20));
         return beside.part(0, beside.bytes);
@@ -313,7 +350,7 @@ std::string origin_of(const File& file) {
 std::vector<std::filesystem::path> buffer_files(const File& file) {
     std::vector<std::filesystem::path> files;
     const std::string origin = origin_of(file);
-    const Json json = parse_json(file.part(0, most_bytes), origin);
+    const Json json = parse_json(document_of(file).text, origin);
     const JsonNode root{json, Where(origin)};
     if (!root.has("buffers")) return files;
     const JsonNode buffers = root.list("buffers");
@@ -322,16 +359,13 @@ std::vector<std::filesystem::path> buffer_files(const File& file) {
         if (!buffer.has("uri")) continue;
         const JsonNode uri = buffer.at("uri");
         const std::string text = uri.text("the URI of a buffer");
-        if (!text.starts_with("data:")) files.push_back(file.path.parent_path() / text);
+        if (!text.starts_with("data:")) files.push_back(file_of(file, uri, text));
     }
     return files;
 }
 
 std::string bare_glb(const File& file) {
-    if (file.bytes > most_bytes) file.fail(fmt::format("it is larger than {} MiB", most_bytes >> 20));
-    const bool is_glb = file.part(0, 4) == "glTF";
-    if (!is_glb) check_text(file);
-    const Document document = is_glb ? open_glb(file) : Document{file.part(0, file.bytes), {}};
+    const Document document = document_of(file);
     const std::string origin = origin_of(file);
     const Json json = parse_json(document.text, origin);
     const JsonNode root{json, Where(origin)};

@@ -214,7 +214,7 @@ const aiScene* import(Assimp::Importer& importer, const File& file, const Format
 
 std::vector<fs::path> files_of_mesh(const fs::path& path) {
     std::vector<fs::path> files = {path};
-    if (extension_of(path) != ".gltf") return files;
+    if (extension_of(path) != ".gltf" && extension_of(path) != ".glb") return files;
     const std::vector<fs::path> buffers = mesh_formats::buffer_files(open_file(path));
     files.insert(files.end(), buffers.begin(), buffers.end());
     return files;

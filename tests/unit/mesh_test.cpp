@@ -157,14 +157,19 @@ std::string buffer() {
     return binary_corners() + bytes_of(std::uint16_t{0}, std::uint16_t{1}, std::uint16_t{2});
 }
 
-std::string glb(json document, const std::string& bin) {
-    document["buffers"][0].erase("uri");
+std::string glb_of(const json& document, const std::string& bin) {
     std::string text = document.dump();
     text.resize((text.size() + 3) / 4 * 4, ' ');
     const auto size = [](const std::string& part) { return static_cast<std::uint32_t>(part.size()); };
     const std::string chunks =
         bytes_of(size(text)) + "JSON" + text + bytes_of(size(bin)) + std::string("BIN\0", 4) + bin;
     return "glTF" + bytes_of(2u, 12 + size(chunks)) + chunks;
+}
+
+/// With its buffer in it.
+std::string glb(json document, const std::string& bin) {
+    document["buffers"][0].erase("uri");
+    return glb_of(document, bin);
 }
 
 const std::vector<Vec3> corners = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}};
@@ -190,6 +195,27 @@ TEST_F(MeshOfScene, of_gltf_stands_where_its_nodes_put_it) {
         const std::vector<Vec3> expected = {{0, 1, 0}, {0, 5, 0}, {-3, 1, 0}};
         for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(length(mesh.vertices[i] - expected[i]), 1e-6) << name;
     }
+}
+
+TEST_F(MeshOfScene, of_gltf_may_have_its_buffer_in_its_folder_or_below_and_nowhere_else) {
+    fs::create_directories(folder_ / "a b" / "part");
+    for (const char* file : {"one.bin", "a b/c%d.bin", "a b/part/e..bin"})
+        std::ofstream(folder_ / file, std::ios::binary) << buffer();
+    const auto read_from = [&](const std::string& uri) {
+        json document = gltf();
+        document["buffers"][0]["uri"] = uri;
+        return error_of([&] { read_file("a b/some.gltf", document.dump()); });
+    };
+    for (const char* uri : {"c%25d.bin", "part/e..bin", "./part/e%2E.bin", "%63%25d.bin"})
+        EXPECT_EQ(read_from(uri), "no error") << uri;
+    const std::string absolute = (folder_ / "one.bin").string();
+    for (const std::string& uri :
+         {std::string("../one.bin"), std::string("part/../../one.bin"), std::string("%2e%2E/one.bin"),
+          absolute, "%2F" + absolute.substr(1), "file://" + absolute, std::string("c%d.bin"),
+          std::string("a+b"), std::string("part")})
+        EXPECT_THAT(read_from(uri), HasSubstr("/buffers/0/uri: found")) << uri;
+    for (const char* uri : {"c%2", "c%", "c%x5d.bin", "c%00.bin"})
+        EXPECT_THAT(read_from(uri), HasSubstr("allowed: two hexadecimal digits, not 00, after each %"));
 }
 
 TEST_F(MeshOfScene, of_polygons_is_cut_into_triangles_and_has_no_points_and_lines) {
@@ -252,7 +278,8 @@ TEST_F(MeshOfScene, that_is_bad_is_refused_in_one_line_that_says_why) {
               "it has 135 bytes; an STL file of the 1 triangles that it says has 134"},
              {"w.gltf", "{}", "\"asset\" is missing"},
              {"x.gltf", gltf().dump(),
-              "/buffers/0/uri: found \"one.bin\"; allowed: a file beside this one, or data in base64"},
+              "/buffers/0/uri: found \"one.bin\"; allowed: a file in this one's folder or below, or data in "
+              "base64"},
              {"y.glb", glb(gltf(), "short"), "/buffers/0/byteLength: found 42; allowed: at most the 5 bytes"},
              {"z.glb", glb(no_nodes, buffer()), "it has no faces"},
          }) {
@@ -420,6 +447,11 @@ TEST_F(MeshOfScene, is_part_of_what_identifies_the_scene) {
     const std::string with_buffer = hash_with(of_gltf);
     write("one.bin", buffer() + " ");
     EXPECT_NE(hash_with(of_gltf), with_buffer) << "vertices may lie beside the file";
+    const json of_glb = {{"file", "one.glb"}, {"material", "grey"}};
+    write("one.glb", glb_of(gltf(), ""));
+    const std::string of_one = hash_with(of_glb);
+    write("one.bin", buffer());
+    EXPECT_NE(hash_with(of_glb), of_one) << "of GLB as well";
     const json of_shape = {{"shape", "box"}, {"detail", 0}, {"material", "grey"}};
     EXPECT_EQ(hash_with(of_shape), text_hash(text_of(of_shape))) << "the text says all";
     fs::remove(folder_ / "one.obj");
