@@ -9,6 +9,7 @@
 #include "bench/measure/statistics.h"
 #include "bench/plan/tuned.h"
 #include "bench/record/cpus.h"
+#include "bench/record/fingerprint.h"
 #include "bench/record/journal.h"
 #include "bench/record/json.h"
 
@@ -25,14 +26,6 @@ std::vector<double> times_of(const Record& record) {
 
 /// What nobody named, and tuning chose.
 std::string launch_tuned(const Case& c) { return c == as_asked(c) ? "no" : launch_text(c); }
-
-/// "s.json f441de64cb66c0c9": names and hashes of the run's scenes.
-std::string scene_hash(const RunInfo& run, const std::string& scene) {
-    for (const std::string& each : run.scenes)
-        if (each.starts_with(scene + " ") && each.rfind(' ') == scene.size())
-            return each.substr(scene.size() + 1);
-    return {};
-}
 
 /// What every case of the device shares.
 Fingerprint surroundings(const HostInfo& host, const DeviceInfo& device) {
@@ -58,7 +51,7 @@ SessionCase case_of(const ResultFile& result, const Record& record) {
     c.device = record.params.device;
     c.device_name = device.name;
     c.device_uuid = device.uuid;
-    c.scene_hash = scene_hash(result.run, record.params.scene);
+    c.scene_hash = scene_hash_of(result.run, record.params.scene);
     c.no_time = record.status == Status::ok ? "" : record.reason;
     if (record.efficiency && record.efficiency->all) c.efficiency = record.efficiency->all->efficiency;
     c.fingerprint = surroundings(result.host, device);

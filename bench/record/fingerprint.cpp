@@ -64,6 +64,13 @@ std::string value_in(const RunFingerprint& facts, const std::string& name) {
 
 }  // namespace
 
+std::string scene_hash_of(const RunInfo& run, const std::string& scene) {
+    for (const std::string& each : run.scenes)
+        if (each.starts_with(scene + " ") && each.rfind(' ') == scene.size())
+            return each.substr(scene.size() + 1);
+    return {};
+}
+
 RunFingerprint asked_of(const RunInfo& run) {
     RunFingerprint facts;
     facts["ptbench"] = fmt::format("{} {}", run.tool_version, run.git_sha);

@@ -16,6 +16,9 @@ using RunFingerprint = std::map<std::string, std::string>;
 /// "kernel pt": "9f86d081884c7d65", "driver of pocl:0": "3.1", "option samples": "5", ...
 RunFingerprint fingerprint_of(const ResultFile& run);
 
+/// Of a scene's content, as the run had it; empty where it does not say.
+std::string scene_hash_of(const RunInfo& run, const std::string& scene);
+
 /// Its part that a run knows before it has looked at the machine: ptbench, options, scenes.
 RunFingerprint asked_of(const RunInfo& run);
 

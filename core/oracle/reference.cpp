@@ -23,6 +23,7 @@ Image coarse(Image image) {
 
 nlohmann::ordered_json facts(const Reference& reference) {
     return {{"scene", reference.scene},
+            {"scene_hash", reference.scene_content},
             {"kernel", reference.kernel},
             {"width", reference.size.width},
             {"height", reference.size.height},
@@ -37,6 +38,7 @@ nlohmann::ordered_json facts(const Reference& reference) {
 Reference from_facts(const nlohmann::json& json) {
     Reference reference;
     json.at("scene").get_to(reference.scene);
+    json.at("scene_hash").get_to(reference.scene_content);
     json.at("kernel").get_to(reference.kernel);
     json.at("width").get_to(reference.size.width);
     json.at("height").get_to(reference.size.height);

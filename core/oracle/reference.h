@@ -13,6 +13,7 @@ namespace ptb {
 /// that of one sample) with NAME.json beside it (everything else).
 struct Reference {
     std::string scene, kernel;
+    std::string scene_content;  ///< `scene_hash`: another scene may have the name
     Size size;
     int path_length = 0;
     int spp = 0;

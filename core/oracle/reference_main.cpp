@@ -48,6 +48,7 @@ ptb::Reference make_reference(Options& options) {
     const auto samples = static_cast<double>(result.samples);
     return {.scene = scene.name,
             .kernel = options.kernel,
+            .scene_content = scene.content,
             .size = options.job.size,
             .path_length = options.job.path_length,
             .spp = options.job.spp,

@@ -10,6 +10,7 @@
 
 #include "core/input/json.h"
 #include "core/input/nearest.h"
+#include "core/scene/content.h"
 #include "core/scene/mesh_entries.h"
 #include "core/scene/node.h"
 
@@ -188,7 +189,9 @@ Scene parse_scene(std::string_view json_text, const std::string& origin, const M
 
 Scene load_scene(const std::filesystem::path& file, MeshReading reading) {
     reading.folder = file.parent_path();
-    return parse_scene(read_text(file), file.string(), reading);
+    Scene scene = parse_scene(read_text(file), file.string(), reading);
+    scene.content = scene_hash(file);
+    return scene;
 }
 
 }  // namespace ptb

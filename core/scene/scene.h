@@ -48,6 +48,7 @@ struct Scene {
     std::vector<Sphere> spheres;
     std::vector<Mesh> meshes = {};
     std::shared_ptr<TreeShelf> trees = std::make_shared<TreeShelf>();  ///< of the meshes; copies share them
+    std::string content = {};  ///< `scene_hash` of its file; empty where it comes from none
 };
 
 /// Of all meshes; they are numbered through, mesh by mesh.

@@ -113,6 +113,21 @@ class Budget(CliTest):
         self.assertIn("--max-total-time", record["reason"])
 
 
+class Scenes(CliTest):
+    def validation(self, text):
+        self.scratch.write("mine.json", text)
+        record = self.only_case(*changed(ONE, spp=4), "--scene", "mine.json")
+        self.assertEqual(ended(record), "ok", record["reason"])
+        return record["validation"]
+
+    def test_a_shipped_name_with_other_content_is_not_judged_by_what_is_stored_of_the_name(self):
+        text = (SOURCE / "configs/scenes/thesis.json").read_text()
+        self.assertEqual(self.validation(text)["against"], "thesis_pt_128x128_pl2")
+        brighter = self.validation(text.replace("[15, 15, 15]", "[30, 30, 30]"))
+        self.assertIn("the host's tracer, a few samples", brighter["against"])
+        self.assertIn("no stored reference", self.scratch.result()["cases"][0]["efficiency"]["reason"])
+
+
 class Isolation(CliTest):
     def test_no_isolate_measures_the_same_in_this_process(self):
         apart = self.only_case(*ONE)

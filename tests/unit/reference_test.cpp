@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "core/image/image_io.h"
+#include "core/scene/content.h"
 
 namespace ptb {
 namespace {
@@ -142,6 +143,8 @@ TEST(StoredReference, every_one_loads_and_is_named_by_what_it_holds) {
         const Reference reference = stored(entry.path().stem().string());
         EXPECT_EQ(entry.path().stem().string(),
                   reference_name(reference.scene, reference.kernel, reference.size, reference.path_length));
+        EXPECT_EQ(reference.scene_content, scene_hash(root / "configs/scenes" / (reference.scene + ".json")))
+            << entry.path() << ": made of another scene than the one that ships";
         EXPECT_LE(std::filesystem::file_size(entry.path().parent_path() / (entry.path().stem() += ".exr")),
                   500'000U);
         for (const Image* image : {&reference.mean, &reference.variance}) {
@@ -227,6 +230,7 @@ class ReferenceFiles : public ::testing::Test {
     std::filesystem::path folder_;
     Reference sample_ = {.scene = "s",
                          .kernel = "pt",
+                         .scene_content = "9f86d081884c7d65",
                          .size = {2, 1},
                          .path_length = 7,
                          .spp = 3,
@@ -243,6 +247,7 @@ TEST_F(ReferenceFiles, come_back_as_they_were_saved) {
     const Reference read = load_reference(folder_, "s_pt_2x1_pl7").value();
     EXPECT_EQ(read.scene, "s");
     EXPECT_EQ(read.kernel, "pt");
+    EXPECT_EQ(read.scene_content, "9f86d081884c7d65");
     EXPECT_EQ(read.size, (Size{2, 1}));
     EXPECT_EQ(read.path_length, 7);
     EXPECT_EQ(read.spp, 3);

@@ -8,6 +8,7 @@
 #include <webp/encode.h>
 
 #include "bench/plan/config.h"
+#include "bench/record/fingerprint.h"
 #include "bench/record/status.h"
 #include "bench/report/ladder.h"
 #include "bench/report/words.h"
@@ -76,10 +77,13 @@ std::string caption_of(const ResultFile& result, const Picture& picture) {
                        to_string(c.size), c.spp, worth_of(result, c), status_of(result, c));
 }
 
-std::optional<Reference> reference_of(const Case& c, const fs::path& folder) {
+/// Of the scene as the run had it.
+std::optional<Reference> reference_of(const ResultFile& result, const Case& c, const fs::path& folder) {
     if (!is_plain_name(c.scene) || !is_plain_name(c.kernel)) return std::nullopt;
-    return load_reference(folder,
-                          reference_name(c.scene, truth_of(c.kernel), validation_size, c.path_length));
+    auto reference =
+        load_reference(folder, reference_name(c.scene, truth_of(c.kernel), validation_size, c.path_length));
+    if (reference && reference->scene_content != scene_hash_of(result.run, c.scene)) return std::nullopt;
+    return reference;
 }
 
 Figure z_figure(const Image& image, const Reference& reference, const Picture& picture) {
@@ -103,7 +107,7 @@ struct Seen {
 Seen seen(const ResultFile& result, const Picture& picture, const fs::path& folder,
           const fs::path& references, std::set<std::string>& shown) {
     const Image image = read_png(folder / picture.file);
-    const auto reference = reference_of(picture.params, references);
+    const auto reference = reference_of(result, picture.params, references);
     const Case& c = picture.params;
     const std::string truth =
         fmt::format("{}, {}, path length {}", c.scene, truth_of(c.kernel), c.path_length);
