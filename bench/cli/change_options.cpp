@@ -52,7 +52,7 @@ void add_ab_flags(CLI::App& app, AbFlags& flags) {
     app.add_option("--base-config", flags.base_config, "config of the old version [--config]");
     app.add_option("--new-config", flags.new_config, "config of the new version [--config]");
     app.add_option("--config", flags.run.config, "name or file of a config")->capture_default_str();
-    list_option(app, "-d,--device", flags.run.devices, "all, cpu, gpu, 0, 0:1, a key, /regex/; repeatable");
+    list_option(app, "-d,--device", flags.run.devices, devices_help);
     app.add_flag("--all-devices", flags.run.all_devices, "every device of this machine");
     list_option(app, "-a,--axis", flags.run.axes, "axis of the sweep: spp=[10,100]; repeatable");
     add_axis_flags(app, flags.run.axis_values, false);

@@ -12,10 +12,13 @@ namespace ptb {
 
 // Groups of flags that several commands have.
 
+inline constexpr const char* devices_help =
+    "all, cpu, gpu, accelerator, 0, 0:1, a key, /regex/, or some of them between commas; repeatable";
+
 /// A list fed by repeating the flag; brackets and commas in it are left alone.
 void list_option(CLI::App& app, const std::string& flags, std::vector<std::string>& values, const char* help);
-/// --kernel, --spp, ...; `from_environment`: PTBENCH_KERNEL, ... stand in.
-void add_axis_flags(CLI::App& app, std::map<std::string, std::string>& values, bool from_environment);
+/// --kernel, --spp, ...; `of_run`: PTBENCH_KERNEL, ... stand in, and devices may be timed at the same time.
+void add_axis_flags(CLI::App& app, std::map<std::string, std::string>& values, bool of_run);
 void add_common_flags(CLI::App& app, CommonFlags& flags);
 
 // The commands whose grammar is not in options.cpp.

@@ -75,13 +75,14 @@ void list_option(CLI::App& app, const std::string& flags, std::vector<std::strin
         ->expected(1);
 }
 
-void add_axis_flags(CLI::App& app, std::map<std::string, std::string>& values, bool from_environment) {
+void add_axis_flags(CLI::App& app, std::map<std::string, std::string>& values, bool of_run) {
     for (const AxisFlag& each : axis_flags) {
         const std::string axis = each.axis;
+        if (axis == "together" && !of_run) continue;
         auto* const added = app.add_option_function<std::string>(
             each.flag, [&values, axis](const std::string& text) { values[axis] = text; }, each.help);
         added->type_name("VALUES")->group("Axes");
-        if (from_environment) added->envname(variable_of(each.flag));
+        if (of_run) added->envname(variable_of(each.flag));
     }
 }
 
@@ -153,8 +154,7 @@ void add_fleet(CLI::App& app, RunFlags& flags) {
 
 void add_run(CLI::App& app, RunFlags& flags, bool& list) {
     option(app, "--config", flags.config, "name or file of a config [quick]");
-    list_option(app, "-d,--device", flags.devices,
-                "all, cpu, gpu, accelerator, 0, 0:1, a key, /regex/; repeatable");
+    list_option(app, "-d,--device", flags.devices, devices_help);
     flag(app, "--all-devices", flags.all_devices, "every device of this machine");
     list_option(app, "-a,--axis", flags.axes,
                 "axis of the sweep: spp=[10,100], (spp,size)=[(10,64),(20,32)]; repeatable");
@@ -272,9 +272,8 @@ struct Grammar {
         render = app.add_subcommand("render", "make one picture");
         auto* const devices =
             render
-                ->add_option(
-                    "-d,--device", flags.devices,
-                    "as of a run; several make one picture together: gpu, 0,1; repeatable [the first]")
+                ->add_option("-d,--device", flags.devices,
+                             "as of a run; several make one picture together: gpu, or 0,1 [the first]")
                 ->allow_extra_args(false)
                 ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
                 ->expected(1);

@@ -8,7 +8,7 @@ void add_tune_flags(CLI::App& app, TuneFlags& flags) {
     flags.run.config = "tune";
     app.add_option("--config", flags.run.config, "config whose cases are the candidates")
         ->capture_default_str();
-    list_option(app, "-d,--device", flags.run.devices, "all, cpu, gpu, 0, 0:1, a key, /regex/; repeatable");
+    list_option(app, "-d,--device", flags.run.devices, devices_help);
     app.add_flag("--all-devices", flags.run.all_devices, "every device of this machine");
     add_axis_flags(app, flags.run.axis_values, false);
     app.add_option("--timeout", flags.run.timeout_s, "a worker silent for longer is killed, seconds")
@@ -20,7 +20,7 @@ void add_tune_flags(CLI::App& app, TuneFlags& flags) {
 }
 
 void add_doctor_flags(CLI::App& app, DoctorFlags& flags) {
-    list_option(app, "-d,--device", flags.devices, "all, cpu, gpu, 0, 0:1, a key, /regex/; repeatable");
+    list_option(app, "-d,--device", flags.devices, devices_help);
     app.add_flag("--no-aa", flags.no_aa, "only look: no device works");
     app.add_option("--json", flags.json, "write what was found here (- for stdout)");
 }

@@ -105,9 +105,12 @@ std::string dump_config(const Config& config);
 /// Replaces an axis in every series (or adds it): what `-a` and its sugar do.
 void override_axis(Config& config, const Axis& axis);
 
-/// The devices that the selectors (`all`, `cpu`, `gpu`, `accelerator`, `0`, `0:1`, a key, `/regex/`) name, in
-/// list order, each once, without excluded ones. Throws UsageError listing the devices when one matches
-/// nothing.
+/// Selectors one by one: "0,1" are two; a `/regex/` may hold commas.
+std::vector<std::string> device_words(const std::vector<std::string>& selectors);
+
+/// The devices that the selectors (`all`, `cpu`, `gpu`, `accelerator`, `0`, `0:1`, a key, `/regex/`, or some
+/// of them between commas) name, in list order, each once, without excluded ones. Throws UsageError listing
+/// the devices when one matches nothing.
 std::vector<DeviceInfo> select_devices(const std::vector<std::string>& selectors,
                                        const std::vector<DeviceInfo>& devices);
 

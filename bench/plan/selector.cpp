@@ -103,10 +103,26 @@ std::string device_list(const std::vector<DeviceInfo>& devices) {
 
 }  // namespace
 
+std::vector<std::string> device_words(const std::vector<std::string>& selectors) {
+    std::vector<std::string> words;
+    for (const std::string& selector : selectors) {
+        if (selector.starts_with('/')) {
+            words.push_back(selector);
+            continue;
+        }
+        for (std::size_t at = 0; at <= selector.size();) {
+            const std::size_t comma = std::min(selector.find(',', at), selector.size());
+            words.push_back(selector.substr(at, comma - at));
+            at = comma + 1;
+        }
+    }
+    return words;
+}
+
 std::vector<DeviceInfo> select_devices(const std::vector<std::string>& selectors,
                                        const std::vector<DeviceInfo>& devices) {
     if (devices.empty()) return {};
-    const auto words = selectors.empty() ? std::vector<std::string>{"all"} : selectors;
+    const auto words = selectors.empty() ? std::vector<std::string>{"all"} : device_words(selectors);
     Selected chosen(devices.size(), false);
     for (const auto& word : words) {
         const Selected selected = select(word, devices);

@@ -99,6 +99,7 @@ class Selectors(CliTest):
             (("-d", "1"), ["pocl:1"]),
             (("-d", "0:1"), ["pocl:1"]),
             (("-d", "pocl:0", "-d", "0"), ["pocl:0"]),
+            (("-d", "1,pocl:0"), both),
             (("-d", "/^(PTHREAD|CPU-(?!MINIMAL))/"), ["pocl:1"]),  # as PoCL 3, and as PoCL 6 call it
             (("-d", "1", "--all-devices"), both),
         ]:

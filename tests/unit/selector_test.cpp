@@ -57,6 +57,14 @@ TEST(Selector, types_indices_positions_keys_and_patterns_select) {
     EXPECT_THAT(selected({"/^pthread/"}), ElementsAre("pocl:0"));
 }
 
+TEST(Selector, some_of_them_stand_between_commas_and_a_pattern_keeps_its_own) {
+    EXPECT_THAT(selected({"cpu,nvidia:1"}), ElementsAre("pocl:0", "nvidia:1"));
+    EXPECT_THAT(selected({"0,2", "3"}), ElementsAre("pocl:0", "nvidia:0", "nvidia:1"));
+    EXPECT_THAT(selected({"/h[0-9]{3,3}/"}), ElementsAre("nvidia:0", "nvidia:1"));
+    EXPECT_THAT(complaint("0,7"), HasSubstr("\"7\" matches none"));
+    EXPECT_THAT(complaint("0,"), HasSubstr("\"\" matches none"));
+}
+
 TEST(Selector, two_equal_devices_stay_two_and_each_comes_once_in_list_order) {
     EXPECT_THAT(selected({"nvidia:1", "gpu", "0", "cpu"}), ElementsAre("pocl:0", "nvidia:0", "nvidia:1"));
 }
