@@ -219,6 +219,11 @@ Measured Coordinator::measured(std::size_t index, const Channel::Progress& progr
 
 Measured Coordinator::shared(std::size_t index, const Channel::Progress& progress) {
     const Case& c = plan_.cases[index];
+    if (c.together != Together::no)
+        return {record(c, Status::unsupported,
+                       fmt::format("devices {}: all of them work on one picture; allowed: together no",
+                                   c.devices)),
+                std::nullopt};
     std::vector<DeviceInfo> devices;
     for (const DeviceInfo& each : plan_.devices)
         if (each.type == info_of(c.device).type && devices.size() < static_cast<std::size_t>(c.devices))

@@ -15,8 +15,9 @@ namespace ptb {
 namespace {
 
 std::string headline(std::size_t number, std::size_t total, const Case& c) {
-    return fmt::format("[{}/{}] {}  {} spp {} {}", number, total, c.device, c.kernel, c.spp,
-                       to_string(c.work_group));
+    const std::string several = of_several_devices(c);
+    return fmt::format("[{}/{}] {}  {} spp {} {}{}{}", number, total, c.device, c.kernel, c.spp,
+                       to_string(c.work_group), several.empty() ? "" : " ", several);
 }
 
 /// " +- 0.4 %", half the width of the median's interval, or nothing when there is none.

@@ -35,9 +35,10 @@ class SeveralDevices(CliTest):
 
     def test_what_several_devices_cannot_do_is_unsupported(self):
         words = changed(BOTH, kernel="pt,thesis", path_length=5)
-        self.run_ok(*words, "-a", "devices=[2,3]", code=None)
+        self.run_ok(*words, "-a", "(devices,together)=[(2,no),(3,no),(2,all)]", code=None)
         reasons = [(r["status"], r["reason"]) for r in self.scratch.result()["cases"] if r["status"] != "ok"]
         self.assertIn(("unsupported", "devices 3: there are 2 CPUs in this run"), reasons)
+        self.assertEqual(reasons.count(("unsupported", "devices 2: all of them work on one picture; allowed: together no")), 2)
         self.assertIn("several devices cannot share its pictures", "".join(reason for _, reason in reasons))
         self.assertEqual({status for status, _ in reasons} - {"unstable"}, {"unsupported"})
 
@@ -61,6 +62,8 @@ class SeveralDevices(CliTest):
                           ("render", "-o", "x.png", "-a", axis)):
                 with self.subTest(axis=axis, words=words):
                     self.assert_refused(*words, says=axis.replace("=", " ") + ": ")
+        for words in (("ab",), ("tune",), ("render", "-o", "x.png")):
+            self.assert_refused(*words, "--together", "all", says='--together')
 
 
 if __name__ == "__main__":
