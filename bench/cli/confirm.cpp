@@ -168,8 +168,9 @@ int confirm_command(const Options& options) {
     if (!sessions.empty()) measured = measure_sessions(options, folder, before, sessions);
     Outcome outcome = measured.outcome;
     const Judged after = judged(folder, read_fleet(folder));
-    put(stdout, fmt::format("{}: {} sessions measured; {} of {} are there\n", node, measured.count,
-                            after.sessions, after.sessions + after.sessions_to_come));
+    put(stdout, fmt::format("{}: {} sessions measured{}; {} of {} are there\n", node, measured.count,
+                            outcome.interrupted ? ", then interrupted" : "", after.sessions,
+                            after.sessions + after.sessions_to_come));
     if (!outcome.interrupted && after.sessions_to_come == 0) outcome |= show_fleet(options, folder);
     return exit_code(outcome);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,23 +29,6 @@ namespace {
 constexpr const char* ranges_note = "ptbench.ranges";
 
 std::string file_beside(const std::string& picture) { return picture + ".ranges.json"; }
-
-/// "0,1" are two selectors; a pattern may hold commas.
-std::vector<std::string> parted(const std::vector<std::string>& selectors) {
-    std::vector<std::string> words;
-    for (const std::string& selector : selectors) {
-        if (selector.starts_with('/')) {
-            words.push_back(selector);
-            continue;
-        }
-        for (std::size_t at = 0; at <= selector.size();) {
-            const std::size_t comma = std::min(selector.find(',', at), selector.size());
-            words.push_back(selector.substr(at, comma - at));
-            at = comma + 1;
-        }
-    }
-    return words;
-}
 
 bool is_cpu(const DeviceInfo& device) { return device.type == "CPU"; }
 
@@ -134,7 +118,7 @@ SharedPicture rendered(const Options& options, const SharedJob& job, PictureRang
 
 std::vector<DeviceInfo> devices_to_share(const std::vector<std::string>& selectors,
                                          const std::vector<DeviceInfo>& devices) {
-    const std::vector<std::string> words = parted(selectors);
+    const std::vector<std::string> words = device_words(selectors);
     if (words.empty()) return {select_devices({"all"}, devices).at(0)};
     return without_unnamed_cpus(words, select_devices(words, devices), devices);
 }
@@ -229,12 +213,18 @@ double share_of(const std::vector<DeviceParts>& by, std::uint64_t part_count) {
 /// Of all nodes, where it is whole; or says how far it is.
 int write_fleet_picture(const Options& options, const PictureFolder& folder, PictureRanges ranges) {
     ranges.devices = folder.made();
-    if (!fault_of(ranges).empty()) {
+    if (parts_made(ranges.devices) < ranges.part_count) {
+        const std::set<std::string> owing = folder.owing();
         tell(options.common,
-             fmt::format("{:.1f} % of the picture are in {}: the node that ends last writes it",
-                         share_of(ranges.devices, ranges.part_count), options.render.fleet));
+             fmt::format("{:.1f} % of the picture are in {}: {}", share_of(ranges.devices, ranges.part_count),
+                         options.render.fleet,
+                         owing.empty() ? "the rest is nobody's; this command again makes it"
+                                       : fmt::format("the rest is of {}; who ends last writes it",
+                                                     fmt::join(owing, ", "))));
         return exit_codes::done;
     }
+    if (const std::string fault = fault_of(ranges); !fault.empty())
+        throw std::runtime_error(fmt::format("{}/films: {}", options.render.fleet, fault));
     const Film film = film_of(folder.merged());
     ranges.film_hash = film.hash;
     const std::string& output = options.render.output;
@@ -264,7 +254,10 @@ int render_in_fleet(const Options& options, const Case& params, const std::vecto
     const ShareDone share(options.common.quiet);
     const SharedPicture picture = crew->make(
         {}, [&](double done) { share.show(done); }, [&] { return folder.claim(node); });
-    if (stopped()) throw Interrupted();
+    if (stopped()) {
+        folder.give_up_claims(node);
+        throw Interrupted();
+    }
     for (const std::string& remark : picture.remarks) tell(options.common, "warning: " + remark);
     if (picture.sums) folder.leave(node, *picture.sums, picture.by);
     tell(options.common,

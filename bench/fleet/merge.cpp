@@ -52,26 +52,17 @@ ResultFile frame_of(const FleetPlan& plan, const std::vector<ResultFile>& header
 }
 
 /// Writes a result file whose cases are too many to be held at once: they come after all else. Beside the
-/// file, until it is whole; what never is, is removed.
+/// file, until it is whole.
 class ResultWriter {
   public:
     ResultWriter(const fs::path& file, const ResultFile& frame)
-        : file_(file),
-          temporary_(temporary_beside(file)),
-          out_(temporary_, std::ios::binary | std::ios::trunc) {
+        : beside_(file), out_(beside_.path(), std::ios::binary | std::ios::trunc) {
         Json json = result_to_json(frame);
         json.erase("cases");
         json.erase("fits");
         const std::string text = dump_json(json, 1);
         out_ << text.substr(0, text.rfind("\n}")) << ",\n \"cases\": [";
     }
-
-    ~ResultWriter() {
-        std::error_code ignored;
-        fs::remove(temporary_, ignored);
-    }
-    ResultWriter(const ResultWriter&) = delete;
-    ResultWriter& operator=(const ResultWriter&) = delete;
 
     void add(const std::string& node, std::vector<Record> records) {
         for (Record& record : records) {
@@ -87,11 +78,11 @@ class ResultWriter {
     std::error_code end() {
         out_ << "\n ],\n \"fits\": " << dump_json(encode(fits_)) << "\n}\n";
         out_.close();
-        return out_.good() ? put_in_place(temporary_, file_) : std::make_error_code(std::errc::io_error);
+        return out_.good() ? beside_.put_in_place() : std::make_error_code(std::errc::io_error);
     }
 
   private:
-    fs::path file_, temporary_;
+    FileBeside beside_;
     std::ofstream out_;
     std::vector<SppFit> fits_;
     bool first_ = true;

@@ -11,8 +11,8 @@
 
 #include "bench/measure/clock.h"
 #include "bench/together/crew_member.h"
-#include "bench/together/film_folder.h"
 #include "bench/together/hand_out.h"
+#include "bench/together/nameless_file.h"
 #include "bench/worker/film_file.h"
 
 namespace ptb {
@@ -46,7 +46,7 @@ double SharedPicture::parts_per_s() const {
 }
 
 double SharedPicture::efficiency() const {
-    double all = 0;
+    double all = idle_parts_per_s;
     for (const DeviceParts& each : by) all += each.parts_per_s();
     return all > 0 ? parts_per_s() / all : 0;
 }
@@ -152,6 +152,7 @@ struct PictureCrew::Impl {
         return member.gone.empty();
     }
 
+    /// As they showed before the picture; of those that are gone, none.
     std::vector<double> speeds() const {
         const double samples = static_cast<double>(job.params.size.pixels()) * job.params.spp;
         std::vector<double> parts_per_s;
@@ -163,26 +164,26 @@ struct PictureCrew::Impl {
     }
 
     SharedPicture make(HandOut& hand_out, const SharedProgress& progress);
-    void work(CrewMember& member, std::size_t index, HandOut& hand_out, const FilmFolder& films,
-              const SharedProgress& progress, SharedPicture& picture);
+    void work(CrewMember& member, std::size_t index, HandOut& hand_out, const SharedProgress& progress,
+              SharedPicture& picture);
     void make_parts(CrewMember& member, std::size_t index, HandOut& hand_out, const SharedProgress& progress);
-    void deliver(CrewMember& member, std::size_t index, HandOut& hand_out, const FilmFolder& films,
-                 SharedPicture& picture);
+    void deliver(CrewMember& member, std::size_t index, HandOut& hand_out, SharedPicture& picture);
 };
 
 SharedPicture PictureCrew::Impl::make(HandOut& hand_out, const SharedProgress& progress) {
     SharedPicture picture;
-    const FilmFolder films(members.size() * (job.params.size.pixels() * sizeof(FilmPixel) + 4096));
     for (auto& member : members)
         member->kept_s = member->busy_s = member->kept_device_s = member->device_s = 0;
     const std::int64_t begin_ns = now_ns();
-    on_all([&](CrewMember& member, std::size_t i) { work(member, i, hand_out, films, progress, picture); });
+    on_all([&](CrewMember& member, std::size_t i) { work(member, i, hand_out, progress, picture); });
     picture.wall_s = seconds_since(begin_ns);
     picture.part_count = part_count;
+    const std::vector<double> parts_per_s = speeds();
     for (std::size_t i = 0; i < members.size(); ++i) {
         const DeviceInfo& device = members[i]->device;
         picture.by.push_back({device.key, device.name, device.driver_version, hand_out.delivered_by(i),
                               members[i]->busy_s, members[i]->device_s});
+        if (picture.by.back().count() == 0) picture.idle_parts_per_s += parts_per_s[i];
     }
     picture.remarks = std::exchange(remarks, {});
     if (!picture.whole()) check_anybody_left();
@@ -190,12 +191,11 @@ SharedPicture PictureCrew::Impl::make(HandOut& hand_out, const SharedProgress& p
 }
 
 void PictureCrew::Impl::work(CrewMember& member, std::size_t index, HandOut& hand_out,
-                             const FilmFolder& films, const SharedProgress& progress,
-                             SharedPicture& picture) {
+                             const SharedProgress& progress, SharedPicture& picture) {
     try {
         do {
             make_parts(member, index, hand_out, progress);
-            deliver(member, index, hand_out, films, picture);
+            deliver(member, index, hand_out, picture);
         } while (member.gone.empty() && hand_out.wait_for_more(index));
     } catch (...) {
         hand_out.stop();
@@ -225,10 +225,11 @@ void PictureCrew::Impl::make_parts(CrewMember& member, std::size_t index, HandOu
 }
 
 void PictureCrew::Impl::deliver(CrewMember& member, std::size_t index, HandOut& hand_out,
-                                const FilmFolder& films, SharedPicture& picture) {
+                                SharedPicture& picture) {
     if (!hand_out.has_to_deliver(index)) return;
     Request request = request_of(Request::Kind::give_film);
-    request.film_file = films.file(std::to_string(index)).string();
+    const NamelessFile file(members.size() * (job.params.size.pixels() * sizeof(FilmPixel) + 4096));
+    request.film_file = file.path().string();
     if (!ask(member, request)) {
         hand_out.lost(index);
         return;

@@ -26,11 +26,13 @@ struct SharedPicture {
     std::optional<FilmSums> sums{};
     std::vector<DeviceParts> by{};
     std::uint64_t part_count = 0;
-    double wall_s = 0;  ///< until all films were added
+    double wall_s = 0;            ///< until all films were added
+    double idle_parts_per_s = 0;  ///< of devices that were ready, and came too late to make anything
     std::vector<std::string> remarks{};
 
     bool whole() const { return parts_made(by) == part_count; }
-    /// The speed, in multiples of that of all devices together while each is making its parts.
+    /// The speed, in multiples of that of all devices together while each is making its parts; of one that
+    /// made none, as it showed before.
     double efficiency() const;
     /// The same, of the fastest device alone.
     double speedup() const;

@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "bench/record/file.h"
 #include "bench/record/json.h"
 #include "bench/together/hand_out.h"
+#include "bench/worker/device_worker.h"
 #include "bench/worker/film_file.h"
 #include "core/file/replace_file.h"
 #include "core/input/usage_error.h"
@@ -25,7 +27,7 @@ Json with_nodes(const PictureRanges& ranges, std::size_t nodes) {
     return json;
 }
 
-/// Words of what two pictures differ in.
+/// Words of what two pictures differ in, but for how they are cut.
 std::vector<std::string> differing_in(const PictureRanges& there, const PictureRanges& here) {
     RunFingerprint theirs = there.facts, mine = here.facts;
     const auto add = [&](const std::string& name, const std::string& their, const std::string& my) {
@@ -36,6 +38,26 @@ std::vector<std::string> differing_in(const PictureRanges& there, const PictureR
     add("seed", std::to_string(there.seed), std::to_string(here.seed));
     add("scene", there.scene_hash, here.scene_hash);
     return differences(theirs, "there", mine, "here");
+}
+
+/// Parts that are in films, in order.
+std::vector<PartRange> ranges_of(const std::vector<DeviceParts>& by) {
+    std::vector<PartRange> all;
+    for (const DeviceParts& each : by) all.insert(all.end(), each.parts.begin(), each.parts.end());
+    return joined(std::move(all));
+}
+
+bool holds(const std::vector<PartRange>& ranges, const PartRange& chunk) {
+    return std::any_of(ranges.begin(), ranges.end(), [&](const PartRange& range) {
+        return range.first <= chunk.first && chunk.end <= range.end;
+    });
+}
+
+/// "n1\n" of a claim's file, or nothing.
+std::string node_in(const fs::path& claim) {
+    std::error_code ignored;
+    const std::string text = fs::exists(claim, ignored) ? read_text(claim) : "";
+    return text.substr(0, text.find('\n'));
 }
 
 }  // namespace
@@ -79,56 +101,71 @@ PictureRanges PictureFolder::join(const PictureRanges& mine, std::size_t nodes,
     const std::error_code error = make_new_file(plan(), dump_json(with_nodes(mine, nodes)) + "\n");
     if (error && error != std::errc::file_exists)
         throw std::runtime_error(fmt::format("cannot write {}: {}", plan().string(), error.message()));
-    const PictureRanges there = *begun();
-    differing = differing_in(there, mine);
+    picture_ = *begun();
+    differing = differing_in(picture_, mine);
     const std::string origin = plan().string();
     const Json json = parse_json(read_text(plan()), origin);
     const Where where(origin);
     std::uint64_t planned_nodes = 0;
     decode(member(json, where, "nodes"), Where(where, "nodes"), planned_nodes);
-    chunks_ =
-        chunks_of(there.part_count, there.params.size.pixels(), std::max<std::uint64_t>(planned_nodes, 1));
-    return there;
+    chunks_ = chunks_of(picture_.part_count, picture_.params.size.pixels(),
+                        std::max<std::uint64_t>(planned_nodes, 1));
+    return picture_;
 }
 
+/// From the last one on, and once around: others may have given up what they claimed.
 std::optional<PartRange> PictureFolder::claim(const std::string& node) {
-    for (; next_ < chunks_.size(); ++next_) {
-        const std::error_code error = make_new_file(chunk(next_), node + "\n");
-        if (!error) return chunks_[next_++];
+    for (std::size_t tried = 0; tried < chunks_.size(); ++tried) {
+        const std::size_t number = next_++ % chunks_.size();
+        std::error_code ignored;
+        if (fs::exists(chunk(number), ignored)) continue;
+        const std::error_code error = make_new_file(chunk(number), node + "\n");
+        if (!error) return chunks_[number];
         if (error != std::errc::file_exists)
             throw std::runtime_error(
-                fmt::format("cannot write {}: {}", chunk(next_).string(), error.message()));
+                fmt::format("cannot write {}: {}", chunk(number).string(), error.message()));
     }
     return std::nullopt;
 }
 
 void PictureFolder::give_up_claims(const std::string& node) const {
-    std::vector<PartRange> kept;
-    for (const DeviceParts& each : made_by(node))
-        kept.insert(kept.end(), each.parts.begin(), each.parts.end());
-    kept = joined(std::move(kept));
-    for (std::size_t i = 0; i < chunks_.size(); ++i) {
-        const auto holds = [&](const PartRange& range) {
-            return range.first <= chunks_[i].first && chunks_[i].end <= range.end;
-        };
-        std::error_code ignored;
-        if (!fs::exists(chunk(i), ignored) || read_text(chunk(i)) != node + "\n") continue;
-        if (std::none_of(kept.begin(), kept.end(), holds)) fs::remove(chunk(i));
-    }
+    const std::vector<PartRange> kept = ranges_of(made_by(node));
+    for (std::size_t i = 0; i < chunks_.size(); ++i)
+        if (node_in(chunk(i)) == node && !holds(kept, chunks_[i])) fs::remove(chunk(i));
 }
 
-/// The ranges last: a film without them is of nobody's claims.
+std::set<std::string> PictureFolder::owing() const {
+    const std::vector<PartRange> kept = ranges_of(made());
+    std::set<std::string> nodes;
+    for (std::size_t i = 0; i < chunks_.size(); ++i)
+        if (!holds(kept, chunks_[i])) nodes.insert(node_in(chunk(i)));
+    nodes.erase("");
+    return nodes;
+}
+
+/// Another one whenever a node has made more, so that its ranges are always of a whole film.
+fs::path PictureFolder::film(const std::string& node, const std::vector<DeviceParts>& by) const {
+    return path_ / "films" / fmt::format("{}.{}.film", node, parts_made(by));
+}
+
 void PictureFolder::leave(const std::string& node, const FilmSums& sums,
                           const std::vector<DeviceParts>& by) const {
-    std::vector<DeviceParts> all = made_by(node);
-    FilmSums whole = sums;
-    if (!all.empty()) add_sums(whole, read_film(film(node)));
+    const std::vector<DeviceParts> before = made_by(node);
+    PictureRanges left = picture_;
+    left.devices = before;
     for (DeviceParts parts : by) {
         parts.device = node + "/" + parts.device;
-        all.push_back(parts);
+        left.devices.push_back(parts);
     }
-    write_film(film(node), whole);
-    write_file(ranges(node), dump_json(parts_json(all)) + "\n");
+    FilmSums whole = sums;
+    if (!before.empty()) add_sums(whole, read_film(film(node, before)));
+    const fs::path file = film(node, left.devices);
+    const FileBeside beside(file);
+    write_film(beside.path(), whole);
+    if (const std::error_code error = beside.put_in_place())
+        throw std::runtime_error(fmt::format("cannot write {}: {}", file.string(), error.message()));
+    write_file(ranges(node), to_text(left) + "\n");
+    if (!before.empty()) fs::remove(film(node, before));
 }
 
 std::vector<std::string> PictureFolder::nodes() const {
@@ -143,7 +180,15 @@ std::vector<std::string> PictureFolder::nodes() const {
 std::vector<DeviceParts> PictureFolder::made_by(const std::string& node) const {
     std::error_code ignored;
     if (!fs::exists(ranges(node), ignored)) return {};
-    return parse_parts(read_text(ranges(node)), ranges(node).string());
+    const std::string origin = ranges(node).string();
+    const PictureRanges there = parse_picture_plan(read_text(ranges(node)), origin);
+    std::vector<std::string> differing = differing_in(there, picture_);
+    if (there.cut != picture_.cut || there.part_count != picture_.part_count)
+        differing.emplace_back("how it is cut into parts");
+    if (!differing.empty())
+        throw VersionMismatch(
+            fmt::format("--fleet: {} is of another picture: {}", origin, fmt::join(differing, "; ")));
+    return there.devices;
 }
 
 std::vector<DeviceParts> PictureFolder::made() const {
@@ -156,7 +201,7 @@ std::vector<DeviceParts> PictureFolder::made() const {
 FilmSums PictureFolder::merged() const {
     std::optional<FilmSums> sums;
     for (const std::string& node : nodes()) {
-        FilmSums read = read_film(film(node));
+        FilmSums read = read_film(film(node, made_by(node)));
         if (sums)
             add_sums(*sums, read);
         else

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ class PictureFolder {
     /// What was begun there, or nothing.
     std::optional<PictureRanges> begun() const;
 
+    // Once it is joined:
+
     /// What this node claimed and left no film of is open again. For a process that is alone on its node.
     void give_up_claims(const std::string& node) const;
     std::filesystem::path lock(const std::string& node) const { return path_ / "films" / (node + ".lock"); }
@@ -34,20 +37,23 @@ class PictureFolder {
     void leave(const std::string& node, const FilmSums& sums, const std::vector<DeviceParts>& by) const;
     /// Who made what so far, devices named NODE/DEVICE.
     std::vector<DeviceParts> made() const;
+    /// Nodes that claimed parts of which they left no film.
+    std::set<std::string> owing() const;
     /// All films added. There is at least one.
     FilmSums merged() const;
 
   private:
     std::filesystem::path plan() const { return path_ / "picture.json"; }
     std::filesystem::path chunk(std::size_t number) const;
-    std::filesystem::path film(const std::string& node) const { return path_ / "films" / (node + ".film"); }
     std::filesystem::path ranges(const std::string& node) const { return path_ / "films" / (node + ".json"); }
+    std::filesystem::path film(const std::string& node, const std::vector<DeviceParts>& by) const;
     std::vector<DeviceParts> made_by(const std::string& node) const;
     std::vector<std::string> nodes() const;
 
     std::filesystem::path path_;
-    std::vector<PartRange> chunks_;  ///< once it is joined
-    std::size_t next_ = 0;           ///< of them, to be tried
+    PictureRanges picture_;
+    std::vector<PartRange> chunks_;
+    std::size_t next_ = 0;  ///< of them, to be tried
 };
 
 /// A picture cut into chunks: ever smaller ones, so that nodes end together however fast they are, each of

@@ -80,6 +80,9 @@ PictureRanges parse_picture_plan(const std::string& text, const std::string& ori
     read("seed", ranges.seed);
     read("scene_hash", ranges.scene_hash);
     decode_facts(member(json, where, "facts"), Where(where, "facts"), ranges.facts);
+    if (!ranges.facts.contains("kernel " + ranges.params.kernel))
+        throw UsageError(fmt::format("{}: /facts: there is no \"kernel {}\", which made the picture", origin,
+                                     ranges.params.kernel));
     read("cut", ranges.cut);
     read("part_count", ranges.part_count);
     read("film_hash", ranges.film_hash);
@@ -92,14 +95,6 @@ PictureRanges parse_picture_ranges(const std::string& text, const std::string& o
     const std::string fault = fault_of(ranges);
     if (!fault.empty()) throw UsageError(fmt::format("{}: /devices: {}", origin, fault));
     return ranges;
-}
-
-Json parts_json(const std::vector<DeviceParts>& by) { return encode(by); }
-
-std::vector<DeviceParts> parse_parts(const std::string& text, const std::string& origin) {
-    std::vector<DeviceParts> by;
-    decode(parse_json(text, origin), Where(origin), by);
-    return by;
 }
 
 }  // namespace ptb

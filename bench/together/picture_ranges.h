@@ -47,8 +47,4 @@ PictureRanges parse_picture_plan(const std::string& text, const std::string& ori
 /// Throws also where they are not of every part once.
 PictureRanges parse_picture_ranges(const std::string& text, const std::string& origin);
 
-/// What devices made, alone.
-Json parts_json(const std::vector<DeviceParts>& by);
-std::vector<DeviceParts> parse_parts(const std::string& text, const std::string& origin);
-
 }  // namespace ptb

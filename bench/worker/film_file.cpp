@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "bench/record/fields.h"
-#include "core/file/replace_file.h"
 #include "core/render/film_hash.h"
 
 namespace ptb {
@@ -75,19 +74,11 @@ FilmSums described_by(const FilmHeader& header) {
 }  // namespace
 
 void write_film(const fs::path& file, const FilmSums& sums) {
-    const fs::path temporary = temporary_beside(file);
-    std::ofstream out(temporary, std::ios::binary);
+    std::ofstream out(file, std::ios::binary);
     out << dump_json(encode(header_of(sums))) << '\n';
     out.write(reinterpret_cast<const char*>(sums.pixels.data()), bytes_of(sums));
     out.close();
-    if (!out) {
-        const std::string reason = std::strerror(errno);
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
-        fail(file, "cannot be written: " + reason);
-    }
-    if (const std::error_code error = put_in_place(temporary, file))
-        fail(file, "cannot be written: " + error.message());
+    if (!out) fail(file, std::string("cannot be written: ") + std::strerror(errno));
 }
 
 FilmSums read_film(const fs::path& file) {

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -41,41 +42,43 @@ std::error_code link_or_rename(const fs::path& temporary, const fs::path& file) 
     return {errno, std::generic_category()};
 }
 
-}  // namespace
-
-fs::path temporary_beside(const fs::path& file) {
+std::string name_beside(const fs::path& file) {
     static std::atomic<unsigned> counter = 0;  // two threads of a process never share a name
     std::array<char, 65> host{};               // of this process on this machine: others may share the folder
     ::gethostname(host.data(), host.size() - 1);
-    return file.parent_path() /
-           fmt::format(".{}.tmp-{}-{}-{}", file.filename().string(), host.data(), ::getpid(), counter++);
+    return fmt::format(".{}.tmp-{}-{}-{}", file.filename().string(), host.data(), ::getpid(), counter++);
 }
 
-std::error_code put_in_place(const fs::path& temporary, const fs::path& file) {
-    std::error_code error = sync(temporary), ignored;
-    if (!error) fs::rename(temporary, file, error);
-    if (error) fs::remove(temporary, ignored);
+}  // namespace
+
+FileBeside::FileBeside(fs::path file)
+    : file_(std::move(file)), path_(file_.parent_path() / name_beside(file_)) {}
+
+FileBeside::~FileBeside() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+}
+
+std::error_code FileBeside::put_in_place() const {
+    std::error_code error = sync(path_);
+    if (!error) fs::rename(path_, file_, error);
     return error;
 }
 
 std::error_code make_new_file(const fs::path& file, std::string_view bytes) {
-    const fs::path temporary = temporary_beside(file);
-    std::error_code error = write_all(temporary, bytes), ignored;
-    if (!error) error = sync(temporary);
-    if (!error) error = link_or_rename(temporary, file);
-    fs::remove(temporary, ignored);
-    return error;
+    const FileBeside beside(file);
+    std::error_code error = write_all(beside.path(), bytes);
+    if (!error) error = sync(beside.path());
+    return error ? error : link_or_rename(beside.path(), file);
 }
 
 std::error_code replace_file(const fs::path& file, std::string_view bytes) {
     std::error_code ignored;
     if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored)) return write_all(file, bytes);
     const fs::path target = fs::is_symlink(file, ignored) ? fs::weakly_canonical(file, ignored) : file;
-    const fs::path temporary = temporary_beside(target);
-    const std::error_code error = write_all(temporary, bytes);
-    if (!error) return put_in_place(temporary, target);
-    fs::remove(temporary, ignored);
-    return error;
+    const FileBeside beside(target);
+    const std::error_code error = write_all(beside.path(), bytes);
+    return error ? error : beside.put_in_place();
 }
 
 }  // namespace ptb

@@ -1,4 +1,5 @@
-"""--fleet in a real Slurm of four virtual nodes (scripts/experiments/slurm.sh): good and bad ends, and going on after them."""
+"""--fleet, of a run and of a picture, in a real Slurm of four virtual nodes (scripts/experiments/slurm.sh): good and bad ends, and
+going on after them."""
 
 import json
 import os
@@ -20,6 +21,9 @@ SRUN = ("srun", "--no-kill", "--wait=0", "--kill-on-bad-exit=0")
 SPP = [str(1000 + i) for i in range(8)]
 PLAN = ("-d", "pocl:1", "--kernel", "pt", "--size", "32", "--spp", ",".join(SPP), "--path-length", "2", "--wg", "implicit",
         "--samples", "1", "--warmup", "0", "--timeout", "60", "--max-total-time", "0", "--fleet", "F", "-q")
+# Some seconds of a core.
+PICTURE = ("render", "-d", "pocl:1", "--kernel", "pt", "--size", "64", "--spp", "6000", "--path-length", "5", "-o", "x.pfm")
+ALL_NODES = ("-N4", "--ntasks-per-node=1")
 cluster = None
 restarted = []  # nodes, after a power cut
 
@@ -64,12 +68,12 @@ class Slurm(CliTest):
         subprocess.run(["scancel", "--user", "root"], check=False)
         self.wait_until(lambda: not self.jobs(), "jobs stayed")
 
-    def start(self, *words):
-        return subprocess.Popen([*SRUN, *words, BINARY, *PLAN], cwd=self.scratch.work, env=self.scratch.environment(),
+    def start(self, *words, plan=PLAN):
+        return subprocess.Popen([*SRUN, *words, BINARY, *plan], cwd=self.scratch.work, env=self.scratch.environment(),
                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
-    def srun(self, *words):
-        process = self.start(*words)
+    def srun(self, *words, plan=PLAN):
+        process = self.start(*words, plan=plan)
         out, err = process.communicate(timeout=60)
         return process.returncode, out, err
 
@@ -96,6 +100,8 @@ class Slurm(CliTest):
         self.wait_until(lambda: subprocess.run(idle, capture_output=True, text=True, check=True).stdout == "1\n",
                         f"{node} does not come back")
 
+
+class Run(Slurm):
     def records(self, node):
         """Those that are whole, by SPP."""
         file = self.scratch.work / f"F/nodes/{node}.jsonl"
@@ -117,15 +123,14 @@ class Slurm(CliTest):
                     self.assertEqual(after[node][spp], record, f"{node} measured {spp} again")
 
     def test_after_scancel_and_a_power_cut_it_goes_on_where_it_was(self):
-        all_nodes = ("-N4", "--ntasks-per-node=1")
-        cancelled = self.start(*all_nodes)
+        cancelled = self.start(*ALL_NODES)
         self.wait_until(lambda: all(len(records) >= 2 for records in self.all_records().values()), "nothing is measured")
         subprocess.run(["scancel", "--user", "root"], check=True)
         cancelled.communicate(timeout=60)
         self.assert_nothing_is_left()
         kept = self.all_records()
 
-        cut = self.start(*all_nodes)
+        cut = self.start(*ALL_NODES)
         self.wait_until(lambda: len(self.records("n2")) > len(kept["n2"]), "n2 does not go on")
         fleet_cuts.cut_power("n2")
         kept_by_n2 = {"n2": self.records("n2")}
@@ -180,6 +185,56 @@ class Slurm(CliTest):
         self.assertIn("4 of 4 nodes", out)
         self.assertIn("expected", self.scratch.result("F")["run"])
         self.assert_nothing_is_left()
+        self.assert_whole()
+
+
+class Picture(Slurm):
+    plan = (*PICTURE, "--fleet", "F")
+
+    def setUp(self):
+        super().setUp()
+        self.run_ok(*PICTURE, "-q")
+        self.picture = self.scratch.work / "x.pfm"
+        self.alone = self.picture.read_bytes()
+        self.picture.unlink()
+
+    def claims(self):
+        """Nodes that claimed parts, a word a chunk."""
+        return [file.read_text().strip() for file in (self.scratch.work / "F/chunks").glob("[0-9]*")]
+
+    def assert_whole(self):
+        self.assert_nothing_is_left()
+        self.assertEqual(self.picture.read_bytes(), self.alone)
+        ranges = json.loads((self.scratch.work / "x.pfm.ranges.json").read_text())
+        return {device["device"] for device in ranges["devices"]}
+
+    def test_after_scancel_and_a_power_cut_it_goes_on_where_it_was(self):
+        cancelled = self.start(*ALL_NODES, plan=self.plan)
+        self.wait_until(lambda: set(self.claims()) == {"n1", "n2", "n3", "n4"}, "a node does not begin")
+        subprocess.run(["scancel", "--user", "root"], check=True)
+        cancelled.communicate(timeout=60)
+        self.assert_nothing_is_left()
+        self.assertFalse(self.picture.exists())
+
+        cut = self.start(*ALL_NODES, plan=self.plan)
+        self.wait_until(lambda: "n2" in self.claims(), "n2 does not go on")
+        fleet_cuts.cut_power("n2")
+        _, said = cut.communicate(timeout=60)
+        self.assert_nothing_is_left()
+        self.assertRegex(said, r"% of the picture are in F: the rest is of n2; who ends last writes it\n")
+        self.assertFalse(self.picture.exists())
+
+        self.give_power("n2")
+        code, _, said = self.srun("-N1", "-w", "n2", plan=self.plan)
+        self.assertEqual(code, 0, said)
+        self.assertRegex(said, r"n2: made [\d.]+ % of the picture\nwritten: x.pfm ")
+        self.assertEqual(self.assert_whole(), {f"n{n}/pocl:1" for n in range(1, 5)})
+
+    def test_two_tasks_a_node_by_mistake_make_it_once(self):
+        code, _, said = self.srun("-N4", "--ntasks-per-node=2", plan=self.plan)
+        self.assertEqual(code, 2, said)
+        for node in ("n1", "n2", "n3", "n4"):
+            self.assertEqual(said.count(f"error: --fleet: another process of {node} makes its part of the picture"), 1, said)
         self.assert_whole()
 
 

@@ -224,7 +224,7 @@ class Equals(FleetTest):
                     process.send_signal(signal.SIGINT)
             said = process.stdout.read()
         self.assertEqual(process.returncode, 130)
-        self.assertEqual(said, "n6: 2 sessions measured; 2 of 40 are there\n")
+        self.assertEqual(said, "n6: 2 sessions measured, then interrupted; 2 of 40 are there\n")
 
     def test_a_slow_card_is_suspected_confirmed_and_called_slow(self):
         self.write("n6", slower=0.12)

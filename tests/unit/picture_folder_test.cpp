@@ -2,10 +2,12 @@
 
 #include <filesystem>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "bench/plan/config.h"
 #include "bench/together/hand_out.h"
+#include "bench/worker/device_worker.h"
 #include "core/render/render.h"
 
 namespace ptb {
@@ -36,11 +38,17 @@ class PictureFolderTest : public testing::Test {
     PictureFolderTest() { fs::remove_all(path_); }
     ~PictureFolderTest() override { fs::remove_all(path_); }
 
+    std::vector<std::string> films() const {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(path_ / "films"))
+            if (entry.path().extension() == ".film") names.push_back(entry.path().filename());
+        return names;
+    }
     static PictureRanges picture() {
         PictureRanges ranges;
         ranges.params = default_case();
         ranges.params.size = {2, 1};
-        ranges.facts = {{"ptbench", "v"}};
+        ranges.facts = {{"kernel pt", "k"}, {"ptbench", "v"}};
         ranges.cut = {2, 3};
         ranges.part_count = 20;
         return ranges;
@@ -82,10 +90,77 @@ TEST_F(PictureFolderTest, claims_without_a_film_are_given_up) {
     again.give_up_claims("n1");
     EXPECT_EQ(again.claim("n1"), lost);
     again.leave("n1", film(7), {{"d:0", "D", "1", {lost}}});
+    EXPECT_THAT(films(), testing::ElementsAre(fmt::format("n1.{}.film", kept.count() + lost.count())));
     EXPECT_EQ(again.merged().pixels[0].radiance[0], 12) << "both parts of the node's film";
     const auto made = again.made();
     ASSERT_EQ(made.size(), 2u);
     EXPECT_EQ(made[1].device, "n1/d:0");
+}
+
+TEST_F(PictureFolderTest, a_film_of_which_no_ranges_came_does_not_count) {
+    PictureFolder folder(path_);
+    std::vector<std::string> differing;
+    folder.join(picture(), 1, differing);
+    const PartRange first = *folder.claim("n1");
+    folder.leave("n1", film(5), {{"d:0", "D", "1", {first}}});
+    fs::copy(path_ / "films", path_ / "before");
+    const PartRange second = *folder.claim("n1");
+    folder.leave("n1", film(7), {{"d:0", "D", "1", {second}}});
+    // as a process leaves it that is killed before the ranges
+    fs::copy(path_ / "before", path_ / "films",
+             fs::copy_options::overwrite_existing | fs::copy_options::recursive);
+    EXPECT_EQ(films().size(), 2u);
+    EXPECT_EQ(folder.merged().pixels[0].radiance[0], 5);
+    PictureFolder again(path_);
+    again.join(picture(), 1, differing);
+    again.give_up_claims("n1");
+    EXPECT_EQ(again.claim("n1"), second);
+    again.leave("n1", film(7), {{"d:0", "D", "1", {second}}});
+    EXPECT_EQ(again.merged().pixels[0].radiance[0], 12);
+}
+
+TEST_F(PictureFolderTest, who_owes_what_was_claimed_is_known) {
+    PictureFolder folder(path_);
+    std::vector<std::string> differing;
+    folder.join(picture(), 2, differing);
+    EXPECT_THAT(folder.owing(), testing::IsEmpty());
+    const PartRange first = *folder.claim("n1");
+    folder.claim("n2");
+    EXPECT_THAT(folder.owing(), testing::ElementsAre("n1", "n2"));
+    folder.leave("n1", film(5), {{"d:0", "D", "1", {first}}});
+    EXPECT_THAT(folder.owing(), testing::ElementsAre("n2"));
+}
+
+TEST_F(PictureFolderTest, what_another_gives_up_is_claimed_by_who_passed_it) {
+    PictureFolder one(path_), other(path_);
+    std::vector<std::string> differing;
+    one.join(picture(), 2, differing);
+    other.join(picture(), 2, differing);
+    const PartRange first = *one.claim("n1");
+    while (other.claim("n2")) {
+    }
+    one.give_up_claims("n1");
+    EXPECT_EQ(other.claim("n2"), first);
+    EXPECT_FALSE(other.claim("n2"));
+}
+
+TEST_F(PictureFolderTest, films_of_another_picture_are_refused_with_both_values) {
+    PictureFolder folder(path_);
+    std::vector<std::string> differing;
+    folder.join(picture(), 1, differing);
+    folder.leave("n1", film(5), {{"d:0", "D", "1", {*folder.claim("n1")}}});
+    fs::remove(path_ / "picture.json");
+    PictureFolder next(path_);
+    PictureRanges other = picture();
+    other.seed = 9;
+    next.join(other, 1, differing);
+    try {
+        next.made();
+        FAIL() << "the film is of seed 1";
+    } catch (const VersionMismatch& error) {
+        EXPECT_THAT(error.what(),
+                    testing::HasSubstr("n1.json is of another picture: seed (there 1, here 9)"));
+    }
 }
 
 TEST_F(PictureFolderTest, another_picture_differs) {

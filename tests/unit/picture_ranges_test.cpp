@@ -58,6 +58,17 @@ TEST(PictureRanges, that_overlap_are_refused_with_their_place) {
     }
 }
 
+TEST(PictureRanges, that_do_not_say_what_kernel_made_them_are_refused) {
+    PictureRanges other = two_devices();
+    other.params.kernel = "bdpt";
+    try {
+        parse_picture_ranges(to_text(other), "x.json");
+        FAIL() << "its facts are of pt";
+    } catch (const UsageError& error) {
+        EXPECT_STREQ(error.what(), "x.json: /facts: there is no \"kernel bdpt\", which made the picture");
+    }
+}
+
 TEST(PictureRanges, of_another_schema_are_refused) {
     for (const char* text : {"{}", "[]", R"({"schema": "ptbench.result.v1"})"})
         EXPECT_THROW(parse_picture_ranges(text, "x.json"), UsageError) << text;

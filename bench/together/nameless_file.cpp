@@ -1,10 +1,12 @@
-#include "bench/together/film_folder.h"
+#include "bench/together/nameless_file.h"
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <string>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -23,16 +25,15 @@ fs::path place_for(std::uint64_t bytes) {
 
 }  // namespace
 
-FilmFolder::FilmFolder(std::uint64_t bytes) {
-    std::string name = (place_for(bytes) / "ptbench-film-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-        throw std::runtime_error(fmt::format("cannot create {}: {}", name, std::strerror(errno)));
-    path_ = name;
+NamelessFile::NamelessFile(std::uint64_t room_bytes) {
+    std::string name = (place_for(room_bytes) / "ptbench-film-XXXXXX").string();
+    fd_ = ::mkostemp(name.data(), O_CLOEXEC);
+    if (fd_ < 0) throw std::runtime_error(fmt::format("cannot create {}: {}", name, std::strerror(errno)));
+    ::unlink(name.c_str());
 }
 
-FilmFolder::~FilmFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-}
+NamelessFile::~NamelessFile() { ::close(fd_); }
+
+fs::path NamelessFile::path() const { return fmt::format("/proc/{}/fd/{}", ::getpid(), fd_); }
 
 }  // namespace ptb
