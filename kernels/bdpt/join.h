@@ -84,7 +84,7 @@ ALWAYS_INLINE void ask(const World* world, Path* path, const Vertex* view, Trace
 ALWAYS_INLINE lanes_f share_of_meeting(const World* world, const Path* path, const Arrival* met, const Odds* odds,
                                        lanes_mask alive COUNTED_PARAMETER) {
     lanes_u number;
-    const lanes_mask is_lamp = lamp_met(world, &met->hit, &number);
+    const lanes_mask is_lamp = lamp_met(world, met->face, &number);
     if (!lanes_any(alive & is_lamp)) return (lanes_f)(1.0f);
     const LampMet lamp = lamp_at(world, path, &met->hit, number, alive & is_lamp COUNTED_ARGUMENT);
     COUNTED_LANES(alive & is_lamp, BDPT_MET_WORK)

@@ -20,13 +20,8 @@ static inline void gather_met(const World* world, Path* path, lanes_u face, lane
     path->radiance = vec_mul_add(path->radiance, path->throughput, radiance);
 }
 
-/* The lanes that met a lamp which can be asked, and its number, unless it is a triangle. */
-static inline lanes_mask lamp_met(const World* world, const Hit* hit, lanes_u* number) {
-    const lanes_u face = hit_face(hit);
-#ifdef SCENE_TREE
-    *number = 0u;
-    if (hit->triangle != TREE_NOTHING) return density_asked(&world->surfaces, face) > 0.0f;
-#endif
+/* The lanes whose face is one of a lamp that can be asked, and its number, which triangles' faces lack. */
+static inline lanes_mask lamp_met(const World* world, lanes_u face, lanes_u* number) {
 #ifdef SCENE_LONE_LAMP
     *number = (lanes_u)(0u);
     return face == world->lamps.first->face;
@@ -34,7 +29,11 @@ static inline lanes_mask lamp_met(const World* world, const Hit* hit, lanes_u* n
     const lanes_u next = lamp_of_face(&world->surfaces, face);
     const lanes_mask is_lamp = next != 0u;
     *number = next - lanes_select_u((lanes_u)(0u), (lanes_u)(1u), is_lamp);
+#ifdef SCENE_TREE
+    return is_lamp || density_asked(&world->surfaces, face) > 0.0f;
+#else
     return is_lamp;
+#endif
 #endif
 }
 
@@ -83,7 +82,7 @@ static inline lanes_f share_beside_lights(const Path* path, lanes_f area_density
 static inline lanes_f share_of_met(const World* world, const Path* path, const Hit* hit, lanes_mask counts COUNTED_PARAMETER) {
     (void)counts;
     lanes_u number;
-    const lanes_mask is_lamp = lamp_met(world, hit, &number);
+    const lanes_mask is_lamp = lamp_met(world, hit_face(hit), &number);
     if (!lanes_any(is_lamp)) return (lanes_f)(1.0f);
     const LampMet lamp = lamp_at(world, path, hit, number, counts & is_lamp COUNTED_ARGUMENT);
     COUNTED_LANES(counts & is_lamp, LIGHT_SHARE_WORK)
