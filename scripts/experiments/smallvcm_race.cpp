@@ -1,6 +1,6 @@
-// SmallVCM's bidirectional path tracer (`-a bpt`) on a scene that smallvcm_race.py tells: its sources as they are, with
-// a light in the shape of a ball, which they do not have.
-// usage: smallvcm_race SIZE PATH_LENGTH SPP SEED THREADS FILE.pfm < SCENE
+// SmallVCM's bidirectional path tracer (`-a bpt`) on a scene that smallvcm_race.py tells: its sources as they
+// are, with a light in the shape of a ball, which they do not have. usage: smallvcm_race SIZE PATH_LENGTH SPP
+// SEED THREADS FILE.pfm < SCENE
 #define main smallvcm_main
 #include "smallvcm.cxx"
 #undef main
@@ -14,8 +14,7 @@ namespace {
 class BallLight : public AbstractLight {
   public:
     BallLight(const Vec3f& centre, float radius, const Vec3f& radiance)
-        : centre_(centre), radius_(radius), radiance_(radiance),
-          density_(1 / (4 * PI_F * radius * radius)) {}
+        : centre_(centre), radius_(radius), radiance_(radiance), density_(1 / (4 * PI_F * radius * radius)) {}
 
     Vec3f Illuminate(const SceneSphere&, const Vec3f& point, const Vec2f& random, Vec3f& direction,
                      float& distance, float& direct_pdf, float* emission_pdf, float* cosine) const {
