@@ -10,6 +10,7 @@ ALWAYS_INLINE lanes_mask sees_from(const World* world, const Vertex* vertex, Vec
     COUNTED(counted_lanes(wanted) > 0u ? 1u : 0u, SCENE_STEP_WORK(world->scene.count))
     COUNTED_LANES(wanted, SCENE_SHADOW_WORK(world->scene))
     Ray shadow;
+    start_at(&shadow, vertex->face);
     shadow.origin = vertex->position;
     shadow.direction = direction;
     traced->shadow_rays += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), wanted);
@@ -85,12 +86,10 @@ ALWAYS_INLINE lanes_f share_of_meeting(const World* world, const Path* path, con
     lanes_u number;
     const lanes_mask is_lamp = lamp_met(world, met->face, &number);
     if (!lanes_any(alive & is_lamp)) return (lanes_f)(1.0f);
-    const Lamp lamp = lamp_of(&world->lamps, number);
-    const Density density =
-        density_of_way(&lamp, &path->ray, hit_distance(&met->hit), alive & is_lamp COUNTED_ARGUMENT);
+    const LampMet lamp = lamp_at(world, path, &met->hit, number, alive & is_lamp COUNTED_ARGUMENT);
     COUNTED_LANES(alive & is_lamp, BDPT_MET_WORK)
-    const lanes_f whole = density.whole + 1e-30f; /* 1 where there is no other, even at a cap's horizon */
-    const lanes_f others = whole * (lamp.cap_density * (1.0f / PI)) * odds->earlier + odds->last * density.part;
+    const lanes_f whole = lamp.asked.whole + 1e-30f; /* 1 where there is no other, even at a cap's horizon */
+    const lanes_f others = whole * (lamp.area_density * (1.0f / PI)) * odds->earlier + odds->last * lamp.asked.part;
     return lanes_select((lanes_f)(1.0f), whole / (whole + others), is_lamp);
 }
 

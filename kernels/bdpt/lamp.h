@@ -22,18 +22,16 @@ ALWAYS_INLINE void start_inside(const World* world, const Sides* of_camera, Vec 
 
 /* Starts a path at a point of a lamp, uniform by area, in a direction that is so by cosine; returns the lamp's number. */
 ALWAYS_INLINE lanes_u leave_lamp(const World* world, Path* path, Odds* odds, lanes_mask alive COUNTED_PARAMETER) {
-    (void)alive;
     const Sides of_camera = path->inside;
     const LampDraw draw = draw_lamp(&path->random);
     const lanes_u number = choose_lamp(&world->lamps, draw.choice, draw.share);
     const Lamp lamp = lamp_of(&world->lamps, number);
-    const Vec normal = point_of_lamp(&lamp, draw.u, draw.v);
+    const Vec normal = start_on_lamp(world->scene, &lamp, &draw, &path->ray, alive COUNTED_ARGUMENT);
     const Vec toward = draw_bounce(&path->random);
     COUNTED_LANES(alive, BDPT_START_WORK(two_sided_spheres(world->scene)))
-    path->ray.origin = vec_add_scaled(lamp.centre, normal, lamp.radius);
-    path->ray.direction = vec_normalize(vec_add_scaled(toward, normal, (lanes_f)(1.0f)));
+    turn_along(&path->ray, vec_add_scaled(toward, normal, (lanes_f)(1.0f)), normal, (lanes_f)(1.0f));
     odds->last = (lanes_f)(0.0f); /* see odds_of_asking */
-    odds->earlier = PI / lamp.cap_density;
+    odds->earlier = PI / area_density_of(&lamp);
     path->throughput = vec_scale(lamp.radiance, odds->earlier);
     start_inside(world, &of_camera, path->ray.origin, &path->inside);
     return number;

@@ -33,7 +33,7 @@ typedef struct Vertex {
     lanes_f odds;         /* of all strategies that give the other end more, for a density of 1 at this vertex */
     lanes_f density;      /* by solid angle, of a direction whose cosine is 1 */
     Sides inside;
-    lanes_u face;
+    lanes_u face;         /* as `sees` has its target */
     lanes_mask joins;     /* matte, and of a path that came so far */
 } Vertex;
 
@@ -58,7 +58,7 @@ ALWAYS_INLINE Vertex move_there(Path* path, const Arrival* met, lanes_mask alive
     vertex.weight = vec_scale(path->throughput, (lanes_f)(1.0f / PI));
     vertex.odds = vertex.density = (lanes_f)(0.0f);
     vertex.inside = path->inside;
-    vertex.face = met->face;
+    vertex.face = target_at(&path->ray, met->face);
     vertex.joins = alive & met->matte;
     return vertex;
 }
@@ -66,24 +66,18 @@ ALWAYS_INLINE Vertex move_there(Path* path, const Arrival* met, lanes_mask alive
 /* Moves a path to what it met. `last` is the density by area with which the other end makes the vertex there, over this
    end's, for a density by solid angle of 1 and a cosine of 1. */
 ALWAYS_INLINE Vertex move_to_vertex(Path* path, const Arrival* met, Odds* odds, lanes_f last, lanes_mask alive COUNTED_PARAMETER) {
-    COUNTED_LANES(alive, BDPT_VERTEX_WORK)
     Vertex vertex = move_there(path, met, alive);
+    COUNTED_LANES(alive, BDPT_VERTEX_WORK)
+    COUNTED_CENTRES(path->ray, alive)
     vertex.density = met->goes_on * (1.0f / PI);
     odds->last = -last / vec_dot(vertex.normal, path->ray.direction);
     vertex.odds = odds->last + odds->earlier * vertex.density;
     return vertex;
 }
 
-/* The lanes that pass a surface of glass. */
-ALWAYS_INLINE lanes_mask sides_differ(const Sides* a, const Sides* b) {
-    lanes_mask differ = a->word[0] != b->word[0];
-    for (uint i = 1; i < SCENE_SIDE_WORDS; ++i) differ |= a->word[i] != b->word[i];
-    return differ;
-}
-
 /* The squared index of refraction that paths passed into, over that which they came from. */
-ALWAYS_INLINE lanes_f squeezed_by(const Surface* surface, const Sides* before, const Sides* after) {
-    return lanes_select((lanes_f)(1.0f), surface->eta_squared, sides_differ(before, after));
+ALWAYS_INLINE lanes_f squeezed_by(const Surface* surface, const Path* path, const Sides* before) {
+    return lanes_select((lanes_f)(1.0f), surface->eta_squared, has_passed(&path->ray, before, &path->inside));
 }
 
 /* Sends a path on from what it met; returns the lanes that go on. `carries` light, not a view: radiance here is not scaled by the
@@ -95,12 +89,12 @@ ALWAYS_INLINE lanes_mask bounce(const World* world, Path* path, const Arrival* m
     const lanes_f half_inverse_cosine = scatter(world->scene, &path->ray, &path->inside, &met->hit, &met->surface, &draw COUNTED_ARGUMENT);
     const lanes_mask goes_on = alive & !met->ends & !dies(path, met->goes_on);
     COUNTED_LANES(alive, BDPT_BOUNCE_WORK)
-    COUNTED(two_sided_spheres(world->scene) > 0u ? counted_lanes(alive) : 0u, BDPT_GLASS_WORK(carries))
+    COUNTED(scene_refracts(world->scene) ? counted_lanes(alive) : 0u, BDPT_GLASS_WORK(carries))
     const lanes_f inverse_chance = over_chance((lanes_f)(PI), met->goes_on);
     odds->earlier = lanes_select(odds->earlier, odds->earlier + odds->last * inverse_chance, met->matte);
     odds->last = lanes_select((lanes_f)(0.0f), 2.0f * half_inverse_cosine * inverse_chance, met->matte);
-    if (two_sided_spheres(world->scene) > 0u) {
-        const lanes_f squeezed = squeezed_by(&met->surface, &before, &path->inside);
+    if (scene_refracts(world->scene)) {
+        const lanes_f squeezed = squeezed_by(&met->surface, path, &before);
         odds->earlier = odds->earlier * squeezed;
         if (carries) path->throughput = vec_scale(path->throughput, squeezed);
     }

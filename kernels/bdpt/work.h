@@ -4,11 +4,11 @@
 
 #include "engine/work.h"
 
-/* A camera path: the density of its direction. A light path: a point of a lamp and a direction there, and the sides. */
+/* A camera path: the density of its direction. A light path: a direction, but for the point of the lamp, and the sides. */
 #define BDPT_CAMERA_WORK 8u, 0u, 0u, 0u
 #define BDPT_START_WORK(two_sided)                                                                        \
-    (LAMP_CONE_FLOPS + SCENE_SPHERE_FLOPS + 15u + SCENE_NORMALIZE_FLOPS + (two_sided) * 9u),              \
-        (LAMP_CONE_ROOTS + SCENE_SPHERE_ROOTS + SCENE_RSQRT_ROOTS), (2u * SCENE_RSQRT_DIVISIONS + 1u),     \
+    (SCENE_SPHERE_FLOPS + 9u + SCENE_NORMALIZE_FLOPS + (two_sided) * 9u),                                 \
+        (SCENE_SPHERE_ROOTS + SCENE_RSQRT_ROOTS), (SCENE_RSQRT_DIVISIONS + 1u),                           \
         (LAMP_BYTES + BDPT_CHOICE_BYTES + SCENE_SURFACE_BYTES(48u) * (two_sided))
 #ifdef SCENE_LONE_LAMP
 #define BDPT_CHOICE_BYTES 0u
@@ -17,8 +17,8 @@
 #endif
 /* What its first surface knows of the lamp, the density of asking it aside, but no squared distance. */
 #define BDPT_FIRST_WORK (10u - 2u), 0u, 1u, 0u
-/* A vertex, with the squared distance of the way there. */
-#define BDPT_VERTEX_WORK 19u, 0u, 1u, 0u
+/* A vertex but for the way from a sphere's centre, with the squared distance of the way there. */
+#define BDPT_VERTEX_WORK 16u, 0u, 1u, 0u
 /* The odds after a bounce, and where there is glass. */
 #ifdef ENGINE_ROULETTE
 #define BDPT_BOUNCE_WORK 4u, 0u, 1u, 0u

@@ -20,7 +20,7 @@ static inline void gather_met(const World* world, Path* path, lanes_u face, lane
     path->radiance = vec_mul_add(path->radiance, path->throughput, radiance);
 }
 
-/* The lanes whose face is one of a lamp that can be asked, and its number. */
+/* The lanes whose face is one of a lamp that can be asked, and its number, which triangles' faces lack. */
 static inline lanes_mask lamp_met(const World* world, lanes_u face, lanes_u* number) {
 #ifdef SCENE_LONE_LAMP
     *number = (lanes_u)(0u);
@@ -29,7 +29,11 @@ static inline lanes_mask lamp_met(const World* world, lanes_u face, lanes_u* num
     const lanes_u next = lamp_of_face(&world->surfaces, face);
     const lanes_mask is_lamp = next != 0u;
     *number = next - lanes_select_u((lanes_u)(0u), (lanes_u)(1u), is_lamp);
+#ifdef SCENE_TREE
+    return is_lamp || density_asked(&world->surfaces, face) > 0.0f;
+#else
     return is_lamp;
+#endif
 #endif
 }
 
@@ -39,42 +43,50 @@ static inline lanes_f share_beside(const Path* path, Density density) {
     return whole / (whole + path->inverse_density * density.part);
 }
 
+/* A lamp that paths met, as others find it: by asking for this way, and by starting there. */
+typedef struct LampMet {
+    Density asked;
+    lanes_f area_density;
+} LampMet;
+
+ALWAYS_INLINE LampMet lamp_at(const World* world, const Path* path, const Hit* hit, lanes_u number, lanes_mask counts COUNTED_PARAMETER) {
+    const lanes_f distance = hit_distance(hit);
+    LampMet met;
 #ifdef SCENE_TREE
-static inline float share_of_triangle(const World* world, const Path* path, const Hit* hit COUNTED_PARAMETER) {
-    COUNTED(1u, LIGHT_SHARE_WORK)
-    COUNTED(1u, LIGHT_TRIANGLE_WORK)
-    const float distance = hit_distance(hit), asked = density_asked(&world->surfaces, hit_face(hit));
-    const Density density = {asked * distance * distance, fabs(vec_dot(path->ray.direction, hit->normal))};
-    return share_beside(path, density);
-}
+    if (hit->triangle != TREE_NOTHING) {
+        COUNTED(1u, LIGHT_TRIANGLE_WORK)
+        const float density = density_asked(&world->surfaces, hit_face(hit));
+        met.asked = density_of_triangle(density, path->ray.direction, distance, hit->normal);
+        met.area_density = 0.5f * density;
+        return met;
+    }
 #endif
+    const Lamp lamp = lamp_of(&world->lamps, number);
+    met.asked = density_of_way(&lamp, &path->ray, distance, counts COUNTED_ARGUMENT);
+    met.area_density = area_density_of(&lamp);
+    return met;
+}
 
 #ifdef PATH_ODDS
 /* What paths from lamps leave of a lamp that was met by mirrors and glass alone. */
-static inline lanes_f share_beside_lights(const Path* path, lanes_f cap_density, lanes_f share) {
-    const lanes_f odds = lanes_max(path->odds, (lanes_f)(0.0f)) * cap_density;
+static inline lanes_f share_beside_lights(const Path* path, lanes_f area_density, lanes_f share) {
+    const lanes_f odds = lanes_max(path->odds, (lanes_f)(0.0f)) * area_density;
     return share / (1.0f + lanes_select(odds, (lanes_f)(0.0f), path->inverse_density > 0.0f));
 }
 #else
-#define share_beside_lights(path, cap_density, share) (share)
+#define share_beside_lights(path, area_density, share) (share)
 #endif
 
 /* The share of the radiance met that is not gather_lamp's: by the balance heuristic, see "Optimally Combining Sampling
    Techniques for Monte Carlo Rendering", by Veach and Guibas. */
 static inline lanes_f share_of_met(const World* world, const Path* path, const Hit* hit, lanes_mask counts COUNTED_PARAMETER) {
     (void)counts;
-    const lanes_u face = hit_face(hit);
-    const lanes_f distance = hit_distance(hit);
-#ifdef SCENE_TREE
-    if (hit->triangle != TREE_NOTHING) return share_of_triangle(world, path, hit COUNTED_ARGUMENT);
-#endif
     lanes_u number;
-    const lanes_mask is_lamp = lamp_met(world, face, &number);
+    const lanes_mask is_lamp = lamp_met(world, hit_face(hit), &number);
     if (!lanes_any(is_lamp)) return (lanes_f)(1.0f);
-    const Lamp lamp = lamp_of(&world->lamps, number);
-    const Density density = density_of_way(&lamp, &path->ray, distance, counts & is_lamp COUNTED_ARGUMENT);
+    const LampMet lamp = lamp_at(world, path, hit, number, counts & is_lamp COUNTED_ARGUMENT);
     COUNTED_LANES(counts & is_lamp, LIGHT_SHARE_WORK)
-    return lanes_select((lanes_f)(1.0f), share_beside_lights(path, lamp.cap_density, share_beside(path, density)), is_lamp);
+    return lanes_select((lanes_f)(1.0f), share_beside_lights(path, lamp.area_density, share_beside(path, lamp.asked)), is_lamp);
 }
 
 /* Adds `radiance`, from a lamp's face along `direction`, to what these matte hits send back, if nothing is between. */

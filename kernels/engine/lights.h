@@ -23,6 +23,9 @@ static inline void start_light_paths(const World* world, Path* path, Unit* unit,
     path->random = random_select(path->random, next.random, fresh);
     path->last_turn = lanes_select_u(path->last_turn, next.last_turn, fresh);
     path->inside = sides_select(&path->inside, &next.inside, fresh);
+#ifdef SCENE_TREE
+    if (fresh) path->ray.left = next.ray.left;
+#endif
 }
 
 ALWAYS_INLINE void trace_light_units(const World* world, const Picture* picture, Start start, __global uint* queue,

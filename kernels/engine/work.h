@@ -47,7 +47,7 @@
 #else
 #define LIGHT_SHARE_WORK 3u, 0u, 1u, 0u
 #endif
-#define LIGHT_TRIANGLE_WORK 7u, 0u, 0u, 0u
+#define LIGHT_TRIANGLE_WORK (7u + 1u), 0u, 0u, 0u
 #define LIGHT_COSINE_WORK 8u, 0u, 0u, 0u
 #define LIGHT_WEIGHT_WORK 7u, 0u, 1u, 0u
 #define LIGHT_SENT_WORK 6u, 0u, 0u, 0u
@@ -70,7 +70,7 @@
     COUNTED_LANES(alive, SCENE_MEETING_WORK(scene))
 #define COUNTED_BOUNCE(scene, alive)                                                                     \
     COUNTED_LANES(alive, SCENE_BOUNCE_WORK)                                                              \
-    COUNTED(two_sided_spheres(scene) > 0u ? counted_lanes(alive) : 0u, SCENE_REFRACTION_WORK)            \
+    COUNTED(scene_refracts(scene) ? counted_lanes(alive) : 0u, SCENE_REFRACTION_WORK)                    \
     COUNTED_LANES(alive, ENGINE_ROULETTE_WORK)
 /* The density of a bounce's direction. */
 #ifdef ENGINE_ROULETTE

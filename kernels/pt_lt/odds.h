@@ -13,11 +13,12 @@ ALWAYS_INLINE void note_odds(const World* world, Path* path, const Hit* hit, Vec
                              lanes_mask alive COUNTED_PARAMETER) {
     (void)alive;
     const Surface surface = surface_of(&world->surfaces, hit_face(hit));
-    COUNTED(two_sided_spheres(world->scene) > 0u ? counted_lanes(alive) : 0u, PT_LT_GLASS_WORK)
-    if (two_sided_spheres(world->scene) > 0u) path->odds = path->odds * squeezed_by(&surface, before, &path->inside);
+    COUNTED(scene_refracts(world->scene) ? counted_lanes(alive) : 0u, PT_LT_GLASS_WORK)
+    if (scene_refracts(world->scene)) path->odds = path->odds * squeezed_by(&surface, path, before);
     const lanes_mask first = path->odds < 0.0f;
     if (!lanes_any(first)) return;
     COUNTED_LANES(alive & first, PT_LT_FIRST_WORK)
+    COUNTED_CENTRES(path->ray, alive & first)
     const lanes_f distance = hit_distance(hit), axis_cosine = vec_dot(direction, vec_of(world->frame->axis_area));
     const lanes_f cosine = -vec_dot(matte_normal(path, &surface), direction) * chance_to_go_on(&surface);
     const lanes_f odds = distance * distance * inverse_of_frame(world->frame, axis_cosine) / cosine;
@@ -27,8 +28,9 @@ ALWAYS_INLINE void note_odds(const World* world, Path* path, const Hit* hit, Vec
 
 /* Moves light paths to what they met, which is shown where it is matte. */
 ALWAYS_INLINE Vertex move_to_shown(Path* path, const Arrival* met, lanes_mask alive COUNTED_PARAMETER) {
-    COUNTED_LANES(alive, PT_LT_VERTEX_WORK)
     Vertex vertex = move_there(path, met, alive);
+    COUNTED_LANES(alive, PT_LT_VERTEX_WORK)
+    COUNTED_CENTRES(path->ray, alive)
     vertex.odds = path->odds * met->goes_on;
     return vertex;
 }
@@ -39,9 +41,9 @@ ALWAYS_INLINE lanes_mask bounce_light(const World* world, Path* path, const Arri
     const Sides before = path->inside;
     (void)scatter(world->scene, &path->ray, &path->inside, &met->hit, &met->surface, &draw COUNTED_ARGUMENT);
     const lanes_mask goes_on = alive & !dies(path, met->goes_on);
-    if (two_sided_spheres(world->scene) > 0u) {
+    if (scene_refracts(world->scene)) {
         COUNTED_LANES(alive, BDPT_GLASS_WORK(true))
-        const lanes_f factor = squeezed_by(&met->surface, &before, &path->inside);
+        const lanes_f factor = squeezed_by(&met->surface, path, &before);
         path->odds = path->odds * factor;
         path->throughput = vec_scale(path->throughput, factor);
     }

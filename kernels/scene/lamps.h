@@ -14,6 +14,9 @@ typedef struct Lamp {
     Vec centre, axis, radiance;
     lanes_f radius, extent, chance, cap_density, near_squared;
     lanes_u face;
+#ifdef SCENE_TREE
+    uint place;
+#endif
 } Lamp;
 
 /* The lamps of a scene: the first by value, as few spheres are, the others in memory. */
@@ -57,7 +60,11 @@ ALWAYS_INLINE Lamp lamp_of(const Lamps* lamps, lanes_u number) {
 #endif
     const float4 centre_radius = row->centre_radius, axis_extent = row->axis_extent, radiance = row->radiance_kept;
     const Lamp lamp = {vec_of(centre_radius), vec_of(axis_extent), vec_of(radiance), centre_radius.w, axis_extent.w,
-                       row->chance, row->cap_density, row->near_squared, row->face};
+                       row->chance, row->cap_density, row->near_squared, row->face
+#ifdef SCENE_TREE
+                       , row->place
+#endif
+    };
     return lamp;
 }
 #else
@@ -81,6 +88,14 @@ ALWAYS_INLINE Lamp lamp_of(const Lamps* lamps, lanes_u number) {
     lamp.face = LAMP_UINT(lamps, number, face);
     return lamp;
 }
+#endif
+
+/* The density by area with which paths start at a point of a lamp: a triangle's area is that of both sides. */
+#ifdef SCENE_TREE
+static inline bool is_triangle(const Lamp* lamp) { return (lamp->face & SCENE_TRIANGLE) != 0u; }
+static inline float area_density_of(const Lamp* lamp) { return is_triangle(lamp) ? 0.5f * lamp->cap_density : lamp->cap_density; }
+#else
+static inline lanes_f area_density_of(const Lamp* lamp) { return lamp->cap_density; }
 #endif
 
 /* Of a number from 1 to 2, say 1 / x: cheaper than a division where roots are estimated. */
@@ -159,7 +174,7 @@ static inline Density lamp_density(const Lamp* lamp, const Sight* sight, lanes_f
 /* A direction towards a lamp, and how far the lamp is there. */
 typedef struct LampSample {
     Vec direction, radiance;
-    lanes_f distance, area_density; /* the latter is chance / area of what shows */
+    lanes_f distance, area_density; /* see area_density_of */
     Density density;
     lanes_u face;
 } LampSample;
@@ -181,26 +196,60 @@ static inline LampDraw draw_lamp(Random* random) {
 }
 
 #ifdef SCENE_TREE
-/* A uniform point of a triangle, see "Graphics Gems: Generating Random Points in Triangles", by G. Turk. */
-static inline LampSample sample_triangle(Scene scene, const Lamp* lamp, uint place, Vec point, const LampDraw* draw COUNTED_PARAMETER) {
+/* A uniform point of a triangle whose first corner is seen as `first`, see "Graphics Gems: Generating Random Points in Triangles",
+   by G. Turk. */
+static inline Vec point_of_triangle(const Vec corner[3], Vec first, uint u, uint v) {
+    const float away = lanes_sqrt(random_1_2(u) - 1.0f), share_c = away * (random_1_2(v) - 1.0f);
+    const Vec b = vec_sub(corner[1], corner[0]), c = vec_sub(corner[2], corner[0]);
+    return vec_add_scaled(vec_add_scaled(first, b, away - share_c), c, share_c);
+}
+
+/* How likely the way over a distance in this direction, which ends at a triangle that shines, is asked for. */
+static inline Density density_of_triangle(float density_by_area, Vec direction, float distance, Vec normal) {
+    const Density density = {density_by_area * distance * distance, fabs(vec_dot(direction, normal))};
+    return density;
+}
+
+static inline LampSample sample_triangle(Scene scene, const Lamp* lamp, Vec point, const LampDraw* draw COUNTED_PARAMETER) {
     COUNTED(1u, LAMP_TRIANGLE_WORK)
     Vec corner[3];
-    const uint number = triangle_at(scene.tree, place, corner);
-    const float away = lanes_sqrt(random_1_2(draw->u) - 1.0f), share_c = away * (random_1_2(draw->v) - 1.0f);
-    const Vec b = vec_sub(corner[1], corner[0]), c = vec_sub(corner[2], corner[0]);
-    const Vec to_corner = vec_sub(corner[0], point);
-    const Vec to_lamp = vec_add_scaled(vec_add_scaled(to_corner, b, away - share_c), c, share_c);
+    const uint number = triangle_at(scene.tree, lamp->place, corner);
+    const Vec to_lamp = point_of_triangle(corner, vec_sub(corner[0], point), draw->u, draw->v);
     const float squared = vec_dot(to_lamp, to_lamp), inverse = lanes_rsqrt(squared);
     LampSample sample;
     sample.direction = vec_scale(to_lamp, inverse);
     sample.radiance = lamp->radiance;
     sample.distance = squared * inverse;
+    sample.area_density = area_density_of(lamp);
     sample.density.part = lamp->cap_density * squared;
     sample.density.whole = fabs(vec_dot(sample.direction, vec_of(scene.triangles[number].normal_face)));
     sample.face = lamp->face;
     return sample;
 }
+
+/* Puts a ray on a side of a triangle, drawn by a bit that no point is; returns the normal there. */
+static inline Vec start_on_triangle(Scene scene, const Lamp* lamp, const LampDraw* draw, Ray* ray COUNTED_PARAMETER) {
+    COUNTED(1u, LAMP_SIDE_WORK)
+    Vec corner[3];
+    (void)triangle_at(scene.tree, lamp->place, corner);
+    const Vec normal = vec_scale(lamp->axis, (int)draw->u < 0 ? -1.0f : 1.0f);
+    ray->origin = vec_add_scaled(point_of_triangle(corner, corner[0], draw->u << 1, draw->v), normal, triangle_margin(corner));
+    return normal;
+}
 #endif
+
+/* Puts rays at points of lamps, uniform by area, of triangles on either side; returns the unit normals there. */
+ALWAYS_INLINE Vec start_on_lamp(Scene scene, const Lamp* lamp, const LampDraw* draw, Ray* ray, lanes_mask counts COUNTED_PARAMETER) {
+    (void)scene, (void)counts;
+    start_at(ray, lamp->face);
+#ifdef SCENE_TREE
+    if (is_triangle(lamp)) return start_on_triangle(scene, lamp, draw, ray COUNTED_ARGUMENT);
+#endif
+    COUNTED_LANES(counts, LAMP_POINT_WORK)
+    const Vec normal = point_of_lamp(lamp, draw->u, draw->v);
+    ray->origin = vec_add_scaled(lamp->centre, normal, lamp->radius);
+    return normal;
+}
 
 ALWAYS_INLINE LampSample sample_lamp(Scene scene, const Lamps* lamps, Vec point, const LampDraw* draw,
                                      lanes_mask counts COUNTED_PARAMETER) {
@@ -211,14 +260,13 @@ ALWAYS_INLINE LampSample sample_lamp(Scene scene, const Lamps* lamps, Vec point,
     const lanes_u number = choose_lamp(lamps, draw->choice, draw->share);
     const Lamp lamp = lamp_of(lamps, number);
 #ifdef SCENE_TREE
-    if ((lamp.face & SCENE_TRIANGLE) != 0u)
-        return sample_triangle(scene, &lamp, LAMP_UINT(lamps, number, place), point, draw COUNTED_ARGUMENT);
+    if (is_triangle(&lamp)) return sample_triangle(scene, &lamp, point, draw COUNTED_ARGUMENT);
 #endif
     const Sight sight = sight_of(&lamp, point, counts COUNTED_ARGUMENT);
     LampSample sample;
     sample.radiance = lamp.radiance;
     sample.face = lamp.face;
-    sample.area_density = lamp.cap_density;
+    sample.area_density = area_density_of(&lamp);
     lanes_f squared = (lanes_f)(0.0f), cosine = squared;
     if (LAMPS_HAVE_CAPS) {
         COUNTED_LANES(counts, LAMP_CAP_WORK)
@@ -247,6 +295,12 @@ ALWAYS_INLINE LampSample sample_lamp(Scene scene, const Lamps* lamps, Vec point,
 
 /* The density with which sample_lamp takes the way that a path went, from `ray` over `distance` to a lamp. */
 ALWAYS_INLINE Density density_of_way(const Lamp* lamp, const Ray* ray, lanes_f distance, lanes_mask counts COUNTED_PARAMETER) {
+#ifdef SCENE_TREE
+    if (is_triangle(lamp)) {
+        COUNTED(1u, LAMP_FLAT_WORK)
+        return density_of_triangle(lamp->cap_density, ray->direction, distance, lamp->axis);
+    }
+#endif
     const Sight sight = sight_of(lamp, ray->origin, counts COUNTED_ARGUMENT);
     COUNTED_LANES(counts, LAMP_WAY_WORK)
     COUNTED_LANES(counts, LAMP_DENSITY_WORK)

@@ -27,6 +27,19 @@ static inline void move_to_hit(Ray* ray, const Hit* hit) { move_to_sphere(ray, h
 /* The way to where a ray is from the centre of the sphere that it is at; of a triangle its normal. */
 static inline Vec from_centre(const Ray* ray, Vec centre) { return vec_sub(ray->origin, centre); }
 
+/* What `sees` has as its target where a ray is that met this face, and to start another there. */
+static inline lanes_u target_at(const Ray* ray, lanes_u face) {
+    (void)ray;
+    return face;
+}
+static inline void start_at(Ray* ray, lanes_u target) { (void)ray, (void)target; }
+
+/* The rays that went through the surface that they are at, by their sides before. */
+static inline lanes_mask has_passed(const Ray* ray, const Sides* before, const Sides* after) {
+    (void)ray;
+    return sides_differ(before, after);
+}
+
 /* The rays go through the faces that they are at. */
 static inline void pass_through(Scene scene, Ray* ray, Sides* inside, const Hit* hit, lanes_f along,
                                 lanes_mask through COUNTED_PARAMETER) {
@@ -78,8 +91,12 @@ static inline Hit nearest_hit(Scene scene, const Ray* ray, const Sides* inside C
     return hit;
 }
 
+static inline uint target_at(const Ray* ray, uint face) { return ray->left == TREE_NOTHING ? face : SCENE_TRIANGLE | ray->left; }
+static inline uint triangle_of(uint target) { return (target & SCENE_TRIANGLE) != 0u ? target & ~SCENE_TRIANGLE : TREE_NOTHING; }
+static inline void start_at(Ray* ray, uint target) { ray->left = triangle_of(target); }
+
 static inline bool sees(Scene scene, const Ray* ray, const Sides* inside, float distance, uint target COUNTED_PARAMETER) {
-    const uint end = (target & SCENE_TRIANGLE) != 0u ? target & ~SCENE_TRIANGLE : TREE_NOTHING;
+    const uint end = triangle_of(target);
     const bool itself = end == ray->left && end != TREE_NOTHING;
     if (itself || !sees_past_spheres(scene, ray, inside, distance, target)) return false;
     Search search;
@@ -105,7 +122,13 @@ static inline Vec from_centre(const Ray* ray, Vec centre) {
     return ray->left == TREE_NOTHING ? vec_sub(ray->origin, centre) : ray->normal;
 }
 
+static inline bool has_passed(const Ray* ray, const Sides* before, const Sides* after) {
+    (void)before, (void)after;
+    return ray->passed;
+}
+
 static inline void pass_through(Scene scene, Ray* ray, Sides* inside, const Hit* hit, float along, bool through COUNTED_PARAMETER) {
+    ray->passed = through;
     if (ray->left == TREE_NOTHING) {
         change_sides(scene, inside, hit_face(hit), through);
     } else if (through) {

@@ -35,6 +35,23 @@ static inline lanes_mask refract_some(lanes_f* normal, lanes_f along, const Surf
     return through;
 }
 
+/* Turns a ray into the direction of a sum; returns 1 / its length. */
+ALWAYS_INLINE lanes_f turn_along(Ray* ray, Vec sum, Vec outwards, lanes_f normal) {
+    const lanes_f squared_length = vec_dot(sum, sum);
+#ifdef SCENE_TREE
+    /* the point drawn may be the very opposite of a flat surface's normal, along an axis once in 50 million times */
+    if (squared_length == 0.0f) {
+        ray->direction = vec_scale(outwards, normal);
+        return 0.5f;
+    }
+#else
+    (void)outwards, (void)normal;
+#endif
+    const lanes_f inverse_length = lanes_rsqrt(squared_length);
+    ray->direction = vec_scale(sum, inverse_length);
+    return inverse_length;
+}
+
 /* Gives rays that are at their hits new directions; where they pass through a dielectric, changes sides. Returns 1 / length
    of the sum that the direction is made of: of a matte surface 1 / twice its cosine. */
 ALWAYS_INLINE lanes_f scatter(Scene scene, Ray* ray, Sides* inside, const Hit* hit, const Surface* surface,
@@ -46,18 +63,7 @@ ALWAYS_INLINE lanes_f scatter(Scene scene, Ray* ray, Sides* inside, const Hit* h
     /* of many rays some is mostly at a dielectric, so there is no branch */
     if (scene_refracts(scene))
         pass_through(scene, ray, inside, hit, along, refract_some(&normal, along, surface, draw) COUNTED_ARGUMENT);
-    const Vec sum = vec_add_scaled(base, outwards, normal);
-    const lanes_f squared_length = vec_dot(sum, sum);
-#ifdef SCENE_TREE
-    /* the point drawn may be the very opposite of a flat surface's normal, along an axis once in 50 million times */
-    if (squared_length == 0.0f) {
-        ray->direction = vec_scale(outwards, normal);
-        return 0.5f;
-    }
-#endif
-    const lanes_f inverse_length = lanes_rsqrt(squared_length);
-    ray->direction = vec_scale(sum, inverse_length);
-    return inverse_length;
+    return turn_along(ray, vec_add_scaled(base, outwards, normal), outwards, normal);
 }
 
 #endif

@@ -123,6 +123,13 @@ static inline lanes_u two_sided_face(Scene scene, uint number, lanes_u side) {
     return (lanes_u)(2u * number) | (side & (one_is_two_sided(scene) ? ~scene.distance_mask : 1u));
 }
 
+/* The lanes between whose sides a two-sided sphere is. */
+static inline lanes_mask sides_differ(const Sides* a, const Sides* b) {
+    lanes_mask differ = a->word[0] != b->word[0];
+    for (uint i = 1; i < SCENE_SIDE_WORDS; ++i) differ |= a->word[i] != b->word[i];
+    return differ;
+}
+
 /* Passes through a face of each lane's own. */
 static inline void change_sides(Scene scene, Sides* inside, lanes_u face, lanes_mask through) {
     if (one_is_two_sided(scene)) {
@@ -146,6 +153,7 @@ typedef struct Ray {
     uint left;    /* the triangle that it starts at, which it does not meet; or TREE_NOTHING */
     Vec normal;   /* of that triangle, outwards, and */
     float margin; /* how far from its plane, towards where it came from, the ray was put */
+    bool passed;  /* whether the last bounce, in a scene that refracts, went through the surface */
 #endif
 } Ray;
 

@@ -116,8 +116,12 @@
 #endif
 #define TREE_MET_WORK (6u + 5u + 1u + 12u + 6u), 0u, 0u, (uint)(sizeof(TreeTriangle) + sizeof(SceneTriangle))
 #define TREE_PASS_WORK 7u, 0u, 0u, 0u
-#define LAMP_TRIANGLE_WORK (2u + 1u + 6u + 3u + 1u + 12u + 5u + SCENE_RSQRT_FLOPS + 3u + 1u + 1u + 5u), (1u + SCENE_RSQRT_ROOTS), \
-        SCENE_RSQRT_DIVISIONS, (uint)(sizeof(TreeTriangle) + sizeof(SceneTriangle) + 64u + 4u)
+/* A point of a triangle that shines, where it is asked for and where a path starts; a way that ends there. */
+#define LAMP_SPREAD_FLOPS (2u + 1u + 6u + 1u + 12u)
+#define LAMP_TRIANGLE_WORK (LAMP_SPREAD_FLOPS + 3u + 5u + SCENE_RSQRT_FLOPS + 3u + 1u + 1u + 1u + 5u), (1u + SCENE_RSQRT_ROOTS), \
+        SCENE_RSQRT_DIVISIONS, (uint)(sizeof(TreeTriangle) + sizeof(SceneTriangle)) + LAMP_BYTES
+#define LAMP_SIDE_WORK (LAMP_SPREAD_FLOPS + 3u + 1u + 6u + 1u), 1u, 0u, (uint)sizeof(TreeTriangle)
+#define LAMP_FLAT_WORK (2u + 5u), 0u, 0u, LAMP_BYTES
 #endif
 
 /* scene/lamps.h: a direction of a cone, */
@@ -131,9 +135,13 @@
 #define LAMP_DIRECTION_WORK (LAMP_CONE_FLOPS + 19u), (LAMP_CONE_ROOTS + 1u), SCENE_RSQRT_DIVISIONS, 0u
 #define LAMP_DENSITY_WORK 2u, 0u, 0u, 0u
 #define LAMP_WAY_WORK 8u, 0u, 0u, 0u
+/* a point where a path starts. */
+#define LAMP_POINT_WORK (LAMP_CONE_FLOPS + 6u), LAMP_CONE_ROOTS, SCENE_RSQRT_DIVISIONS, 0u
 #define LAMP_CHOICE_WORK 3u, 0u, 0u, 20u
 #ifdef SCENE_LONE_LAMP
 #define LAMP_BYTES 0u
+#elif defined(SCENE_TREE)
+#define LAMP_BYTES 68u
 #else
 #define LAMP_BYTES 64u
 #endif
