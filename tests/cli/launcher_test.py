@@ -105,7 +105,7 @@ class Launchers(CliTest):
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=30)
         self.assertEqual(process.returncode, 130, err)
-        self.assertEqual(err, "written: part.pfm (interrupted: as far as it got)\n")
+        self.assertRegex(err, r"^written: part.pfm \([\d.e+]+ SPP in [\d.]+ s; interrupted: as far as it got\)\n$")
         self.assertEqual(pfm_pixels((self.scratch.work / "part.pfm").read_bytes())[0], (32, 32))
 
 
