@@ -88,9 +88,11 @@ def device_line(made, _commands):
     result = json.loads(next(made.output(command, "result.json") for command in made.said if "--out" in command))
     run, device = result["run"], result["devices"][0]
     dirty = ", changed" if run["git_dirty"] else ""
+    load = result["host"]["load_1min"]
+    busy = "" if load is None else f"; before, the machine's load was {load:.1f}"
     seconds = time.monotonic() - made.begin
     return (f"Made on {run['started_at'][:10]} by ptbench {run['tool_version']} ({run['git_sha'][:12]}{dirty}) on "
-            f"{device['name']}, {device['compute_units']} compute units, driver {device['driver_version']}, in {seconds:.0f} s.\n")
+            f"{device['name']}, {device['compute_units']} compute units, driver {device['driver_version']}, in {seconds:.0f} s{busy}.\n")
 
 
 def pictures(made, commands):
