@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""Makes the tables and the picture of README and docs/ again.
+"""Makes the tables of README.md and docs/machine.md again, of the archived results that comments name.
 
-usage: readme.py PTBENCH              tables, of the archived results that comments name
-       readme.py PTBENCH --picture    the picture, too: 1000 samples per pixel on the first CPU
+usage: readme.py PTBENCH
 
 A table stands under `<!-- table: VENDOR/DEVICE/RUN -->`, and keeps the columns that it has; cases with explicit
 work-groups are left out. With `+ 2016`, the fastest row of the thesis' table comes first. Under `<!-- board -->` stands the
@@ -72,16 +71,13 @@ def board_again(match):
     return match[1] + "".join(f"| {' | '.join(row)} |\n" for row in board_rows())
 
 
-def main(ptbench, picture=None):
+def main(ptbench):
     for document in DOCUMENTS:
         text = TABLE.sub(lambda match: table_again(ptbench, match), document.read_text(encoding="utf-8"))
         document.write_text(BOARD.sub(board_again, text), encoding="utf-8")
-    if picture == "--picture":
-        subprocess.run([ptbench, "render", "-d", "cpu", "--kernel", "pt", "--scene", "thesis", "--size", "256", "--spp", "1000",
-                        "-o", ROOT / "results/pictures/thesis-pt.png"], check=True)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3) or sys.argv[2:] not in ([], ["--picture"]):
+    if len(sys.argv) != 2:
         sys.exit(__doc__)
-    main(*sys.argv[1:])
+    main(sys.argv[1])

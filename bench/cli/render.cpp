@@ -108,13 +108,11 @@ std::vector<std::string> write_picture(const RenderFlags& flags, const Image& pi
 }
 
 /// "written: x.png (123 SPP in 10.02 s)"
-std::string outcome_text(const RenderFlags& flags, const Response& rendered,
+std::string outcome_text(const std::string& output, const Response& rendered,
                          std::vector<std::string> remarks) {
-    if (flags.time_s)
-        remarks.push_back(fmt::format("{:.7g} SPP in {:.4g} s", rendered.spp, rendered.seconds));
+    remarks.insert(remarks.begin(), fmt::format("{:.7g} SPP in {:.4g} s", rendered.spp, rendered.seconds));
     if (!rendered.whole) remarks.emplace_back("interrupted: as far as it got");
-    if (remarks.empty()) return "written: " + flags.output;
-    return fmt::format("written: {} ({})", flags.output, fmt::join(remarks, "; "));
+    return fmt::format("written: {} ({})", output, fmt::join(remarks, "; "));
 }
 
 int render_alone(const Options& options, Case c, const DeviceInfo& device) {
@@ -127,7 +125,7 @@ int render_alone(const Options& options, Case c, const DeviceInfo& device) {
     if (options.common.verbose && !reply.printed.empty())
         tell(options.common, "printed by the driver:\n" + reply.printed);
     const std::vector<std::string> remarks = write_picture(flags, *reply.picture);
-    tell(options.common, outcome_text(flags, reply.response, remarks));
+    tell(options.common, outcome_text(flags.output, reply.response, remarks));
     return reply.response.whole ? exit_codes::done : exit_codes::interrupted;
 }
 

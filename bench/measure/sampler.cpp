@@ -93,6 +93,10 @@ TimedRender timed_rest(Render& render, const Timing& timing) {
     return sample;
 }
 
+std::int64_t believed_ns(const TimedRender& render) {
+    return render.timer.fault.empty() ? render.time.kernel_ns : render.time.host_ns;
+}
+
 void render_for(Render& render, double time_s, std::uint64_t round_samples, const Timing& timing) {
     TimedRender passes;
     render.restart();

@@ -30,6 +30,9 @@ struct TimedRender {
     std::int64_t longest_launch_ns = 0;
 };
 
+/// The time by the events, or the host's where those contradict themselves.
+std::int64_t believed_ns(const TimedRender& render);
+
 /// Told after every pass how much of the render is done, 0 to 1; answers whether to go on.
 using Progress = std::function<bool(double done)>;
 

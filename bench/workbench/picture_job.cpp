@@ -19,6 +19,15 @@ void make_endless(RenderJob& work, double time_s, double ns_per_sample) {
     work.spp = std::min(most_spp(work.path_length) / work.round_spp, most_rounds) * work.round_spp;
 }
 
+/// Seconds that it took: by the host's clock where that decides, else the device's, which compiles apart.
+double render_as_asked(Render& render, const RenderJob& work, std::optional<double> time_s,
+                       const Timing& timing) {
+    if (!time_s) return 1e-9 * static_cast<double>(believed_ns(timed_render(render, timing)));
+    const std::int64_t begin = now_ns();
+    render_for(render, *time_s, work.size.pixels() * static_cast<std::uint64_t>(work.round_spp), timing);
+    return seconds_since(begin);
+}
+
 }  // namespace
 
 Rendered render_picture(Builds& builds, Pace& pace, CaseJob job, std::optional<double> time_s,
@@ -29,12 +38,7 @@ Rendered render_picture(Builds& builds, Pace& pace, CaseJob job, std::optional<d
     bool stopped = false;
     const Timing timing = pace.timing(job, [&](double done) { return !(stopped = !progress(done)); });
     const std::uint64_t all = render->samples_left();
-    const std::int64_t begin = now_ns();
-    if (time_s)
-        render_for(*render, *time_s, pixels * static_cast<std::uint64_t>(job.work.round_spp), timing);
-    else
-        timed_render(*render, timing);
-    const double seconds = seconds_since(begin);
+    const double seconds = render_as_asked(*render, job.work, time_s, timing);
     const std::uint64_t left = render->samples_left();
     return {render->read_film().mean, left == 0 || !stopped,
             static_cast<double>(all - left) / static_cast<double>(pixels), seconds};

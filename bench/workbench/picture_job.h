@@ -11,7 +11,7 @@ struct Rendered {
     Image image;
     bool whole = false;  ///< not ended early
     double spp = 0;      ///< of the mean pixel
-    double seconds = 0;
+    double seconds = 0;  ///< of `time_s` the host's, else the device's
 };
 
 /// Renders a picture outside of any measurement; `time_s` is what its samples per pixel follow from, whatever

@@ -12,6 +12,9 @@ import zlib
 
 from ptbench import BINARY, SOURCE
 
+sys.path.insert(0, str(SOURCE / "scripts"))
+from archive import device_faults, file_faults  # noqa: E402
+
 ARCHIVE = SOURCE / "results/archive"
 DEVICE = "intel/xeon-avx512-intel"  # the one with the fewest results
 
@@ -111,6 +114,28 @@ class Archive(unittest.TestCase):
         self.assertEqual(sorted(results), sorted(files), "archived or taken away since the index was made")
         for name, file in files.items():
             self.assertTrue(within(json.loads(file.read_text()), results[name]), f"{name} is not as in the index")
+
+    def test_every_line_is_of_a_device(self):
+        lines = re.findall(r"^\| `([^`]+)` \|", (ARCHIVE / "README.md").read_text(), re.M)
+        self.assertEqual(sorted(lines), sorted({str(file.parents[1].relative_to(ARCHIVE)) for file in ARCHIVE.glob("*/*/*/result.json")}))
+
+    def measure(self, runs, seconds):
+        command = [sys.executable, "-B", SOURCE / "scripts/archive_device.py", BINARY, "here/this", "-d", "pocl:0", "--seconds", seconds]
+        measured = subprocess.run([*command, "--runs", runs, "--folder", self.folder], capture_output=True, text=True)
+        self.assertEqual(measured.returncode, 0, measured.stderr)
+
+    def test_a_device_is_measured_into_its_folder(self):
+        self.measure("memory,quality", "80")
+        self.measure("quality", "10")  # again takes its own place
+        folder = self.folder / "here/this"
+        files = sorted(folder.glob("*/result.json"))
+        self.assertEqual([file.parent.name for file in files], ["memory", "quality"])
+        faults = [fault for file in files for fault in file_faults(file)]
+        self.assertEqual([fault for fault in faults if "not committed" not in fault], [])
+        readme = (self.folder / "README.md").read_text()
+        self.assertEqual(readme.count("| `here/this` |"), 1)
+        pictures = [picture for file in files for picture in json.loads(file.read_text())["pictures"]]  # none if there was no time
+        self.assertEqual(list(device_faults(folder, readme)), [] if pictures else ["none of its runs has its picture"])
 
     def test_the_command_makes_an_index_of_every_result(self):
         code, words = make(ARCHIVE, self.index)

@@ -103,7 +103,7 @@ class Launchers(CliTest):
         terminal.wait_for(r"[1-9]\d* %")
         process.send_signal(signal.SIGINT)
         self.assertEqual(terminal.end_of(process), 130, terminal.text)
-        self.assertTrue(terminal.text.endswith("\033[Kwritten: part.pfm (interrupted: as far as it got)\n"), terminal.text)
+        self.assertRegex(terminal.text, r"\033\[Kwritten: part.pfm \([\d.e+]+ SPP in [\d.]+ s; interrupted: as far as it got\)\n$")
         self.assertEqual(pfm_pixels((self.scratch.work / "part.pfm").read_bytes())[0], (32, 32))
 
 

@@ -24,7 +24,7 @@ class Render(CliTest):
         self.assertTrue(all(value >= 0 for value in pixels) and max(pixels) > 0)
 
     def test_what_was_written_is_said(self):
-        self.assertEqual(self.run_ok(*SMALL, "-o", "x.PNG").stderr, "written: x.PNG\n")
+        self.assertRegex(self.run_ok(*SMALL, "-o", "x.PNG").stderr, r"^written: x.PNG \(4 SPP in [\d.e-]+ s\)\n$")
         self.assertEqual(self.scratch.files(), ["x.PNG"])
 
     def test_refusals_come_before_the_work(self):
@@ -65,7 +65,7 @@ class Render(CliTest):
         for nodes, each in zip(pixels[0::3], rays):
             self.assertGreaterEqual(nodes, each * 0.99)
         said = self.run_ok(*words, "-o", "x.png").stderr
-        self.assertRegex(said, r"^written: x.png \(nodes of a sample: [0-9.]+ to [0-9.]+, mean [0-9.]+; white: [0-9]+\)$")
+        self.assertRegex(said, r"^written: x.png \(3 SPP in [\d.e-]+ s; nodes of a sample: [0-9.]+ to [0-9.]+, mean [0-9.]+; white: [0-9]+\)$")
 
     def test_the_image_does_not_depend_on_the_work_group(self):
         for device in ("pocl:0", "pocl:1"):
@@ -115,7 +115,7 @@ class Render(CliTest):
         terminal.wait_for(r"[1-9]\d* %")
         process.send_signal(signal.SIGINT)
         self.assertEqual(terminal.end_of(process), 130, terminal.text)
-        self.assertTrue(terminal.text.endswith("\033[Kwritten: part.pfm (interrupted: as far as it got)\n"), terminal.text)
+        self.assertRegex(terminal.text, r"\033\[Kwritten: part.pfm \([\d.e+]+ SPP in [\d.]+ s; interrupted: as far as it got\)\n$")
         size, part = pfm_pixels((self.scratch.work / "part.pfm").read_bytes())
         self.assertEqual(size, (32, 32))
         self.assertAlmostEqual(sum(part) / sum(whole), 1, delta=0.1)  # 5 million samples: far within 10 %
