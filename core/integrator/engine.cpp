@@ -37,6 +37,18 @@ std::uint64_t most_a_round(const RenderJob& job) {
     return asked ? std::min(longest_round, static_cast<std::uint64_t>(job.round_spp)) : longest_round;
 }
 
+/// The same, but of runs of even and odd numbers, which are as long.
+Runs in_halves(std::uint32_t spp, const RunCut& cut) {
+    const Runs half = make_runs(spp / 2, std::max<std::uint64_t>(cut.fair / 2, 1), std::max<std::uint64_t>(cut.most / 2, 1));
+    Runs runs{{0}, {0}};
+    for (std::uint32_t i = 0; i < half.count(); ++i) {
+        runs.starts.push_back(runs.starts.back() + half.length(i));
+        runs.starts.push_back(runs.starts.back() + half.length(i));
+    }
+    for (std::size_t i = 1; i < half.rounds.size(); ++i) runs.rounds.push_back(2 * half.rounds[i]);
+    return runs;
+}
+
 /// A GPU wants all its resident lanes busy, and a dozen units each, or the last ones to finish keep it
 /// waiting. A CPU's thread takes units for as long as there are any, so a few items a core are enough.
 Shape shape_of(const Integrator& row, const ocl::Device& device, const Scene& scene, const RenderJob& job) {
@@ -49,6 +61,7 @@ Shape shape_of(const Integrator& row, const ocl::Device& device, const Scene& sc
     const RunCut cut = job.cut.value_or(RunCut{fair, std::min(most_a_round(job), paths)});
     Shape shape{is_throughput_device(device) ? busy : cores * 64, 0, 0, cut,
                 make_runs(static_cast<std::uint32_t>(spp), cut.fair, cut.most)};
+    if (row.gradients) shape.runs = in_halves(static_cast<std::uint32_t>(spp), cut);
     shape.max_units = is_throughput_device(device) ? 24 * shape.items : 1u << 18;
     shape.units_per_lane = std::min<std::uint64_t>(paths / shape.runs.longest(), 0xffffffffu);
     return shape;
@@ -127,6 +140,8 @@ class EngineRender : public PartRender {
         ocl::checked(row_.id + " restart", device_.info.name, [&] {
             film_->clear(launcher_.queue());
             if (splats_) splats_->clear(launcher_.queue());
+            if (row_.gradients)
+                launcher_.queue().enqueueFillBuffer(gradients_, 0u, 0, job_.size.pixels() * 2 * sizeof(GradientPixel));
             launcher_.queue().finish();
         });
         counted_.clear();
@@ -155,6 +170,23 @@ class EngineRender : public PartRender {
             hash.add(std::span<const FilmPixel>(pixels));
         });
         film.hash = hash.text();
+        if (row_.gradients) {
+            std::vector<GradientPixel> g(job_.size.pixels() * 2);
+            launcher_.queue().enqueueReadBuffer(gradients_, CL_TRUE, 0, g.size() * sizeof(GradientPixel), g.data());
+            if (const char* name = std::getenv("PTB_DUMP")) {
+                FILE* f = std::fopen(name, "wb");
+                double head[4] = {(double)job_.size.width, (double)job_.size.height, std::ldexp(1.0, -scale_.radiance), std::ldexp(1.0, -scale_.squares)};
+                std::fwrite(head, 1, sizeof head, f);
+                double n[2] = {0, 0};
+                for (std::uint32_t r = 0; r < shape_.runs.count(); ++r) n[r & 1] += shape_.runs.length(r);
+                std::fwrite(n, 1, sizeof n, f);
+                std::fwrite(g.data(), sizeof(GradientPixel), g.size(), f);
+                std::fclose(f);
+            }
+            for (std::size_t i = 0; i < job_.size.pixels(); ++i)
+                for (int c = 0; c < 3; ++c)
+                    film.mean.rgb[3 * i + c] = (float)((double)(g[i].radiance[c] + g[i + job_.size.pixels()].radiance[c]) * std::ldexp(1.0, -scale_.radiance) / job_.spp);
+        }
         return film;
     }
 
@@ -196,6 +228,7 @@ class EngineRender : public PartRender {
             counted_.give(render_);
             film_ = make_film_store(device_, program.program, row.id, job, counted_);
             if (!row.independent_pixels) splats_.emplace(device_, job.size);
+            if (row.gradients) gradients_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, job.size.pixels() * 2 * sizeof(GradientPixel));
             tallies_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, cut_.max_units() * sizeof(Tally));
             counters_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE,
                                    2 * slices_of(cut_.max_units()) * sizeof(std::uint32_t));
@@ -250,6 +283,7 @@ class EngineRender : public PartRender {
         for (const cl::Buffer& each : scene_->meshes) give(each);
         give(part);
         if (splats_) give(splats_->buffer());
+        if (row_.gradients) give(gradients_);
         launcher_.launch(render_, ranges_of(part.units - part.first_unit));
     }
 
@@ -286,7 +320,7 @@ class EngineRender : public PartRender {
     cl::Kernel render_;
     std::unique_ptr<FilmStore> film_;
     std::optional<SplatStore> splats_;
-    cl::Buffer tallies_, counters_, starts_;
+    cl::Buffer tallies_, counters_, starts_, gradients_;
     std::optional<SceneBuffers> scene_;
     EngineLaunch launch_;
 };
