@@ -13,6 +13,8 @@ namespace {
 std::string no_noise_reason(const CaseJob& job, bool has_reference) {
     if (!has_reference)
         return "there is no stored reference of this kernel, scene, path length and pixel filter";
+    if (job.work.variant.reconstruction == Reconstruction::l1)
+        return "reconstruction l1: its error is not noise alone, the picture is biased";
     if (job.work.variant.pixel_filter == PixelFilter::stratified)
         return "pixel_filter stratified: the samples of a pixel are not independent";
     return "";

@@ -9,6 +9,7 @@
 #include "core/integrator/device_meshes.h"
 #include "core/integrator/engine_options.h"
 #include "core/integrator/film.h"
+#include "core/integrator/gradients.h"
 #include "core/integrator/large_buffer.h"
 #include "core/integrator/splats.h"
 #include "core/integrator/unit_cut.h"
@@ -35,18 +36,6 @@ static_assert(longest_round < ENGINE_FULL_LENGTH);
 std::uint64_t most_a_round(const RenderJob& job) {
     const bool asked = job.round_spp > 0;
     return asked ? std::min(longest_round, static_cast<std::uint64_t>(job.round_spp)) : longest_round;
-}
-
-/// The same, but of runs of even and odd numbers, which are as long.
-Runs in_halves(std::uint32_t spp, const RunCut& cut) {
-    const Runs half = make_runs(spp / 2, std::max<std::uint64_t>(cut.fair / 2, 1), std::max<std::uint64_t>(cut.most / 2, 1));
-    Runs runs{{0}, {0}};
-    for (std::uint32_t i = 0; i < half.count(); ++i) {
-        runs.starts.push_back(runs.starts.back() + half.length(i));
-        runs.starts.push_back(runs.starts.back() + half.length(i));
-    }
-    for (std::size_t i = 1; i < half.rounds.size(); ++i) runs.rounds.push_back(2 * half.rounds[i]);
-    return runs;
 }
 
 /// A GPU wants all its resident lanes busy, and a dozen units each, or the last ones to finish keep it
@@ -140,8 +129,7 @@ class EngineRender : public PartRender {
         ocl::checked(row_.id + " restart", device_.info.name, [&] {
             film_->clear(launcher_.queue());
             if (splats_) splats_->clear(launcher_.queue());
-            if (row_.gradients)
-                launcher_.queue().enqueueFillBuffer(gradients_, 0u, 0, job_.size.pixels() * 2 * sizeof(GradientPixel));
+            if (gradients_) gradients_->clear(launcher_.queue());
             launcher_.queue().finish();
         });
         counted_.clear();
@@ -157,8 +145,9 @@ class EngineRender : public PartRender {
         launch_.inverse_pixels = 1.0f / static_cast<float>(piece.pixels);
         launch_.first_run = piece.first_run;
         launch_.units = piece.units;
-        const auto times = launch_units();
+        auto times = launch_units();
         cut_.step_over(piece);
+        if (gradients_ && cut_.samples_left() == 0) add_reconstruction(times);
         return times;
     }
 
@@ -170,23 +159,7 @@ class EngineRender : public PartRender {
             hash.add(std::span<const FilmPixel>(pixels));
         });
         film.hash = hash.text();
-        if (row_.gradients) {
-            std::vector<GradientPixel> g(job_.size.pixels() * 2);
-            launcher_.queue().enqueueReadBuffer(gradients_, CL_TRUE, 0, g.size() * sizeof(GradientPixel), g.data());
-            if (const char* name = std::getenv("PTB_DUMP")) {
-                FILE* f = std::fopen(name, "wb");
-                double head[4] = {(double)job_.size.width, (double)job_.size.height, std::ldexp(1.0, -scale_.radiance), std::ldexp(1.0, -scale_.squares)};
-                std::fwrite(head, 1, sizeof head, f);
-                double n[2] = {0, 0};
-                for (std::uint32_t r = 0; r < shape_.runs.count(); ++r) n[r & 1] += shape_.runs.length(r);
-                std::fwrite(n, 1, sizeof n, f);
-                std::fwrite(g.data(), sizeof(GradientPixel), g.size(), f);
-                std::fclose(f);
-            }
-            for (std::size_t i = 0; i < job_.size.pixels(); ++i)
-                for (int c = 0; c < 3; ++c)
-                    film.mean.rgb[3 * i + c] = (float)((double)(g[i].radiance[c] + g[i + job_.size.pixels()].radiance[c]) * std::ldexp(1.0, -scale_.radiance) / job_.spp);
-        }
+        if (gradients_) take_gradients(film);
         return film;
     }
 
@@ -207,7 +180,7 @@ class EngineRender : public PartRender {
     ocl::KernelFacts facts() const override { return kernel_facts(device_, render_); }
     std::optional<Counts> counts() const override { return counted_.read(); }
     std::uint64_t device_bytes() const override {
-        return film_->bytes() + (splats_ ? splats_->bytes() : 0) + cut_.max_units() * sizeof(Tally) +
+        return film_->bytes() + (splats_ ? splats_->bytes() : 0) + (gradients_ ? gradients_->bytes() : 0) + cut_.max_units() * sizeof(Tally) +
                scene_->bytes;
     }
 
@@ -228,7 +201,7 @@ class EngineRender : public PartRender {
             counted_.give(render_);
             film_ = make_film_store(device_, program.program, row.id, job, counted_);
             if (!row.independent_pixels) splats_.emplace(device_, job.size);
-            if (row.gradients) gradients_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, job.size.pixels() * 2 * sizeof(GradientPixel));
+            if (row.gradients) gradients_.emplace(device_, program.program, row.id, job, scale_);
             tallies_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, cut_.max_units() * sizeof(Tally));
             counters_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE,
                                    2 * slices_of(cut_.max_units()) * sizeof(std::uint32_t));
@@ -270,6 +243,28 @@ class EngineRender : public PartRender {
         });
     }
 
+    /// The picture is made once all samples are there; its time is theirs.
+    void add_reconstruction(std::vector<LaunchTimes>& times) {
+        const auto more = ocl::checked(row_.id + " reconstruction", device_.info.name, [&] {
+            gradients_->reconstruct(launcher_, static_cast<std::uint32_t>(job_.spp));
+            return launcher_.finish();
+        });
+        times.insert(times.end(), more.begin(), more.end());
+    }
+
+    /// Every pixel has as many samples, or the picture is of no use.
+    void take_gradients(Film& film) {
+        const auto samples = static_cast<std::uint32_t>(*film.samples / job_.size.pixels());
+        film.mean = ocl::checked(row_.id + " reconstruction", device_.info.name, [&] {
+            Image image = gradients_->read(launcher_, samples);
+            launcher_.finish();
+            return image;
+        });
+        const Reconstruction method = job_.variant.reconstruction;
+        film.may_be_negative = method != Reconstruction::none || is_of_gradients(job_.aov);
+        film.biased = method == Reconstruction::l1;
+    }
+
     void launch_slice(std::uint64_t slice, std::uint64_t slices) {
         EngineLaunch part = launch_;
         part.slice = static_cast<std::uint32_t>(slice);
@@ -283,7 +278,7 @@ class EngineRender : public PartRender {
         for (const cl::Buffer& each : scene_->meshes) give(each);
         give(part);
         if (splats_) give(splats_->buffer());
-        if (row_.gradients) give(gradients_);
+        if (gradients_) give(gradients_->sums());
         launcher_.launch(render_, ranges_of(part.units - part.first_unit));
     }
 
@@ -320,7 +315,8 @@ class EngineRender : public PartRender {
     cl::Kernel render_;
     std::unique_ptr<FilmStore> film_;
     std::optional<SplatStore> splats_;
-    cl::Buffer tallies_, counters_, starts_, gradients_;
+    std::optional<GradientStore> gradients_;
+    cl::Buffer tallies_, counters_, starts_;
     std::optional<SceneBuffers> scene_;
     EngineLaunch launch_;
 };
@@ -331,12 +327,15 @@ DeviceMemory memory(const Integrator& row, const ocl::Device& device, const Scen
     const std::uint64_t units = job.size.pixels() * shape.runs.count();
     const std::uint64_t film = film_bytes_of(job.size, job.variant.film_memory) +
                                (row.independent_pixels ? 0 : splat_bytes_of(job.size));
+    const std::uint64_t gradients =
+        row.gradients ? GradientStore::gradient_bytes_of(job.size, job.variant.reconstruction) : 0;
     const std::uint64_t tallies = std::min(shape.max_units, units) * sizeof(Tally);
     const DeviceScene device_scene = device_scene_for(row, device, scene, job);
     const DeviceMeshes& meshes = device_scene.meshes;
-    return {film + tallies + device_scene.bytes(),
+    return {film + gradients + tallies + device_scene.bytes(),
             std::max({largest_film_object(job.size, job.variant.film_memory), tallies, meshes.node_bytes(),
-                      meshes.leaf_bytes(), meshes.triangle_bytes()})};
+                      meshes.leaf_bytes(), meshes.triangle_bytes(),
+                      row.gradients ? GradientStore::largest_object(job.size) : 0})};
 }
 
 std::string cut_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,

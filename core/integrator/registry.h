@@ -66,7 +66,7 @@ struct Integrator {
         return machinery->make(*this, device, program, scene, job);
     }
     /// Whether several devices may make one image.
-    bool has_parts() const { return machinery->make_parts != nullptr; }
+    bool has_parts() const { return machinery->make_parts != nullptr && !gradients; }
     std::unique_ptr<PartRender> make_parts(const ocl::Device& device, const ocl::Program& program,
                                            const Scene& scene, const RenderJob& job) const {
         return machinery->make_parts(*this, device, program, scene, job);

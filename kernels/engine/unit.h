@@ -5,6 +5,9 @@
 #include "engine/path.h"
 #include "lib/outlined.h"
 #include "shared/engine.h"
+#ifdef ENGINE_GRADIENTS
+#include "shared/gradients.h"
+#endif
 
 /* One lane a work-item keeps its loop in the kernel, unless it is alone on a CPU, as it is among triangles: ENGINE_ALONE. A
    function that reads local memory PoCL compiles to a crash (3.1). */

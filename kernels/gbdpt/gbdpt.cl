@@ -150,3 +150,4 @@ ALWAYS_INLINE lanes_mask trace_sample(const World* world, const Picture* picture
 #define INTEGRATOR gbdpt
 #include "engine/sample.h"
 #include "engine/kernels.h"
+#include "gbdpt/reconstruct.h"

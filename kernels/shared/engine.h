@@ -79,15 +79,6 @@ typedef struct Splat {
 } Splat;
 PTB_ASSERT_SIZE(Splat, 40);
 
-/* What one half of the samples makes of a pixel, where samples tell how it differs from its neighbours. */
-typedef struct GradientPixel {
-    ptb_long radiance[3]; /* times `radiance_scale`, like */
-    ptb_long across[3];   /* how much more the right neighbour has, and */
-    ptb_long down[3];     /* the one below */
-    ptb_long squares[3];  /* of the mean over colours of what each sample added to these, times `squares_scale` */
-} GradientPixel;
-PTB_ASSERT_SIZE(GradientPixel, 96);
-
 /* A film in an image has its pixels cut into so many layers of 16 bytes, one below the other. */
 #define FILM_LAYERS 4
 
