@@ -28,11 +28,13 @@ Efficiency refused(const std::string& reason) {
 
 constexpr double noise_s = 5;  ///< of renders for an image's noise, at most, where each has some samples
 
-/// Samples a pixel of one of the renders, all of which together have as many as the image.
+/// Samples a pixel of one of the renders, all of which together have as many as the image; where a picture is
+/// made of gradients each has, since what that gains grows with them.
 int pass_spp(Pace& pace, const CaseJob& job) {
     const double ns = pace.ns_per_sample(job) * static_cast<double>(job.work.size.pixels());
     const double affordable = noise_s * 1e9 / ns / enough_passes;
-    return static_cast<int>(std::max(1.0, std::min(1.0 * job.work.spp / enough_passes, affordable)));
+    const double wanted = job.kernel->gradients ? job.work.spp : 1.0 * job.work.spp / enough_passes;
+    return static_cast<int>(std::max(1.0, std::min(wanted, affordable)));
 }
 
 /// By independent renders.

@@ -261,7 +261,7 @@ class EngineRender : public PartRender {
             return image;
         });
         const Reconstruction method = job_.variant.reconstruction;
-        film.may_be_negative = method != Reconstruction::none || is_of_gradients(job_.aov);
+        film.reconstructed = method != Reconstruction::none || is_of_gradients(job_.aov);
         film.biased = method == Reconstruction::l1;
     }
 

@@ -57,7 +57,7 @@ struct Film {
     std::uint64_t shadow_rays = 0;  ///< beside the segments, of integrators that have them
     std::optional<std::uint64_t> full_length_paths;
     std::uint64_t light_segments = 0;  ///< beside them too, of paths that start at lamps or are shifted
-    bool may_be_negative = false;      ///< reconstructed from gradients, by least squares
+    bool reconstructed = false;      ///< made of gradients: of other pixels' noise, too, and perhaps below 0
     bool biased = false;               ///< its mean is not the truth, however many its samples
     std::string hash{};                ///< of its bits on the device (FilmHash)
     std::optional<RaySample> rays{};   ///< where samples are rays of a list
