@@ -51,13 +51,14 @@ static inline lanes_mask has_neighbour(const Picture* picture, lanes_u place, ui
     const lanes_u pixel = place - lanes_select_u((lanes_u)(0u), (lanes_u)(pixels), place >= pixels);
     if (neighbour == 3u) return pixel >= width;
     if (neighbour == 2u) return pixel < pixels - width;
-    const lanes_u column = pixel - lanes_divide(pixel, width, 1.0f / picture->width) * width;
+    const lanes_u column = pixel - lanes_divide(pixel, width, picture->inverse_width) * width;
     return neighbour == 0u ? column + 1u < width : column > 0u;
 }
 
 /* Adds numbers, and the square that belongs to them, to one kind of sums: 0 radiance, 1 across, 2 down. */
 static inline void add_to_gradients(const Picture* picture, uint kind, lanes_u place, Vec added, lanes_f squares,
-                                    lanes_mask wanted) {
+                                    lanes_mask wanted COUNTED_PARAMETER) {
+    COUNTED_LANES(wanted, ENGINE_GRADIENT_WORK)
     const Vec scaled = vec_scale(added, (lanes_f)(picture->scale));
     const lanes_f scaled_squares = squares * picture->squares_scale;
     const Vec size = vec(lanes_abs(scaled.x), lanes_abs(scaled.y), lanes_abs(scaled.z));
@@ -83,17 +84,20 @@ static inline void add_to_gradients(const Picture* picture, uint kind, lanes_u p
 
 /* Adds how much more a neighbour has. */
 static inline void add_gradient(const Picture* picture, uint neighbour, lanes_u place, Vec more, lanes_f squares,
-                                lanes_mask wanted) {
-    const lanes_f sign = (lanes_f)((neighbour & 1u) == 0u ? 1.0f : -1.0f);
+                                lanes_mask wanted COUNTED_PARAMETER) {
     const lanes_mask there = wanted & has_neighbour(picture, place, neighbour);
+    COUNTED_LANES(wanted, ENGINE_NEIGHBOUR_WORK(neighbour))
+    if (!lanes_any(there)) return;
+    COUNTED_LANES(there, ENGINE_TOWARD_WORK)
+    const lanes_f sign = (lanes_f)((neighbour & 1u) == 0u ? 1.0f : -1.0f);
     add_to_gradients(picture, neighbour < 2u ? 1u : 2u, gradient_place(picture, place, neighbour), vec_scale(more, sign),
-                     squares, there);
+                     squares, there COUNTED_ARGUMENT);
 }
 
-static inline void write_gradients(const Picture* picture, const Unit* unit, const GradientSums* sums, lanes_mask finished) {
-    add_to_gradients(picture, 0u, unit->place, unit->sum, sums->squares[NEIGHBOURS], finished);
+static inline void write_gradients(const Picture* picture, const Unit* unit, const GradientSums* sums, lanes_mask finished COUNTED_PARAMETER) {
+    add_to_gradients(picture, 0u, unit->place, unit->sum, sums->squares[NEIGHBOURS], finished COUNTED_ARGUMENT);
     for (uint i = 0; i < NEIGHBOURS; ++i)
-        add_gradient(picture, i, unit->place, sums->sum.toward[i], sums->squares[i], finished);
+        add_gradient(picture, i, unit->place, sums->sum.toward[i], sums->squares[i], finished COUNTED_ARGUMENT);
 }
 
 #endif

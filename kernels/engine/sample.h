@@ -41,6 +41,7 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, 
         const lanes_mask full =
             trace_sample(&world, &picture, &path, busy, unit.place, &gradients_of_sample, &traced COUNTED_ARGUMENT);
         add_gradients(&gradient_sums, &gradients_of_sample, path.radiance, busy);
+        COUNTED_LANES(busy, ENGINE_GRADIENTS_WORK)
 #else
         const lanes_mask full = trace_sample(&world, &picture, &path, busy, &traced COUNTED_ARGUMENT);
 #endif
@@ -51,7 +52,7 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, 
         if (!lanes_any(finished)) continue;
         write_units(&unit, traced, finished, tallies);
 #ifdef ENGINE_GRADIENTS
-        write_gradients(&picture, &unit, &gradient_sums, finished);
+        write_gradients(&picture, &unit, &gradient_sums, finished COUNTED_ARGUMENT);
         no_gradient_sums(&gradient_sums, finished);
 #endif
         add_light_rays(&picture, &unit, traced, finished, false, &launch);

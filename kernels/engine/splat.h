@@ -27,7 +27,7 @@ typedef struct Picture {
     float scale;         /* of the film */
     __global Splat* splats;
 #ifdef ENGINE_GRADIENTS
-    float squares_scale;
+    float squares_scale, inverse_width;
     __global GradientPixel* gradients; /* those of the first half of the samples, then of the second */
 #endif
 } Picture;
@@ -42,6 +42,7 @@ static inline Picture picture_of(const EngineLaunch* launch, float4 camera ENGIN
     picture.splats = splats;
 #ifdef ENGINE_GRADIENTS
     picture.squares_scale = launch->squares_scale;
+    picture.inverse_width = launch->inverse_width;
     picture.gradients = gradients;
 #endif
     return picture;

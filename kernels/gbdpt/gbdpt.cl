@@ -44,6 +44,11 @@ ALWAYS_INLINE void show_all(const World* world, const Picture* picture, lanes_u 
 #pragma unroll 1
     for (uint i = 0u; i < LIGHT_SEGMENTS; ++i) {
         if (!lanes_any(light[i].joins)) continue;
+        if (i == 0u) {
+            COUNTED_LANES(light[i].joins, GBDPT_PREVIOUS_LAMP_WORK)
+        } else {
+            COUNTED_LANES(light[i].joins, GBDPT_PREVIOUS_WORK)
+        }
         const Previous previous = i == 0u ? previous_on_lamp(world, start) : previous_vertex(&light[i - 1u]);
         const Vertex vertex = light[i];
         show_shifted(world, picture, half_of_samples, &vertex, &previous, of_camera, traced COUNTED_ARGUMENT);
@@ -55,10 +60,12 @@ ALWAYS_INLINE void show_all(const World* world, const Picture* picture, lanes_u 
 ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* picture, Path* path, lanes_mask alive,
                                            const Vertex* light, Gradients* gradients, Traced* traced COUNTED_PARAMETER) {
     const Vec zero = vec_of((float4)(0.0f));
+    const lanes_mask base_lanes = alive;
     const lanes_f cosine = vec_dot(path->ray.direction, vec_of(picture->frame.axis_area));
     Odds odds;
     odds.last = inverse_of_picture(picture, cosine);
     odds.earlier = (lanes_f)(0.0f);
+    COUNTED_LANES(alive, BDPT_CAMERA_WORK)
     Base base;
     base.prefix = base.shared = zero;
     base.in_chain = alive;
@@ -67,7 +74,8 @@ ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* pi
 #pragma unroll 1
     for (uint i = 0; i < NEIGHBOURS; ++i) {
         gradients->toward[i] = zero;
-        start_offset(&offsets[i], path, shifted_direction(picture, path->ray.direction, cosine, i));
+        start_offset(&offsets[i], path,
+                     shifted_direction(picture, path->ray.direction, cosine, i, alive COUNTED_ARGUMENT));
     }
     lanes_mask full = lanes_none();
 #pragma unroll 1
@@ -83,9 +91,11 @@ ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* pi
         shine.per_odds = shine.sum = (lanes_f)(0.0f);
         if (SHINE_AND_GO_ON || lanes_any(alive & met.ends))
             shine = shine_of(world, &path->ray, path->throughput, &met, &odds, alive COUNTED_ARGUMENT);
-        if (lanes_any(shine.shines & base.in_chain))
+        if (lanes_any(shine.shines & base.in_chain)) {
+            COUNTED_LANES(shine.shines & base.in_chain, GBDPT_MET_WORK)
             path->radiance = vec_select(path->radiance, vec_add_scaled(path->radiance, shine.light, (lanes_f)(1.0f)),
                                         shine.shines & base.in_chain);
+        }
         const Ray ray = path->ray;
         const Odds before = odds;
         const lanes_f distance = hit_distance(&met.hit);
@@ -97,20 +107,23 @@ ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* pi
             for (uint i = 0; i < NEIGHBOURS; ++i)
                 join_base(world, path, &ray, &met, &view, &before, &shine, &offsets[i], joins, traced COUNTED_ARGUMENT);
             const lanes_mask shines = joins & shine.shines;
+            COUNTED_LANES(joins, GBDPT_SHARED_WORK)
             base.shared = vec_select(base.shared, vec_add_scaled(base.shared, shine.light, 1.0f / shine.sum), shines);
         }
-        add_shared(&base, offsets, shine.light, shine.sum, shine.per_odds, shine.shines & !base.in_chain & !base.joins);
+        add_shared(&base, offsets, shine.light, shine.sum, shine.per_odds, shine.shines & !base.in_chain & !base.joins COUNTED_ARGUMENT);
 
-        const lanes_mask in_chain = base.in_chain & alive, first = in_chain & met.matte;
+        const lanes_mask in_all = alive, in_chain = base.in_chain & alive, first = in_chain & met.matte;
         alive = bounce(world, path, &met, &odds, false, alive COUNTED_ARGUMENT);
         const lanes_mask through = sides_differ(&view.inside, &path->inside);
         if (two_sided_spheres(world->scene) > 0u) {
             const lanes_f squeezed = squeezed_by(&met.surface, &view.inside, &path->inside);
             for (uint i = 0; i < NEIGHBOURS; ++i) offsets[i].odds = offsets[i].odds * squeezed;
+            COUNTED_LANES(in_all, GBDPT_SQUEEZED_WORK)
         }
         if (lanes_any(in_chain)) {
+            COUNTED_LANES(in_chain, GBDPT_ALONG_WORK)
             const Vec outwards = vec_sub(view.position, met.surface.centre);
-            const lanes_f chance = chance_of(&met, vec_dot(ray.direction, outwards), through);
+            const lanes_f chance = chance_of(&met, vec_dot(ray.direction, outwards), through, in_chain COUNTED_ARGUMENT);
 #pragma unroll 1
             for (uint i = 0; i < NEIGHBOURS; ++i)
                 follow(world, picture, &offsets[i], &gradients->toward[i], &met, &shine, through, chance, segment, in_chain,
@@ -126,6 +139,7 @@ ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* pi
         base.in_chain &= alive & !met.matte;
         base.joins = first & alive;
     }
+    COUNTED_LANES(base_lanes, GBDPT_END_WORK)
     path->radiance = vec_mul_add(path->radiance, base.prefix, base.shared);
     for (uint i = 0; i < NEIGHBOURS; ++i)
         gradients->toward[i] =

@@ -8,6 +8,12 @@
    in units of the base path's density; nothing where they do not see each other. */
 ALWAYS_INLINE void join_first(const World* world, Offset* offset, Vec* toward, const Vertex* light, Vec own, lanes_f sum,
                               lanes_mask counts, Traced* traced COUNTED_PARAMETER) {
+    const Vec nothing = vec_of((float4)(0.0f));
+    if (!lanes_any(counts & offset->follows)) {
+        add_difference(toward, own, sum, nothing, (lanes_f)(0.0f), counts COUNTED_ARGUMENT);
+        return;
+    }
+    COUNTED_LANES(counts & offset->follows, GBDPT_WAY_WORK)
     const Vertex* view = &offset->vertex;
     const Vec way = vec_sub(light->position, view->position);
     const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared);
@@ -16,14 +22,21 @@ ALWAYS_INLINE void join_first(const World* world, Offset* offset, Vec* toward, c
     const lanes_mask wanted = counts & offset->follows & (cosine > 0.0f) & (of_light > 0.0f) &
                               !sides_differ(&view->inside, &light->inside);
     lanes_mask seen = lanes_none();
-    if (lanes_any(wanted))
+    if (lanes_any(wanted)) {
+        COUNTED_LANES(wanted, GBDPT_DISTANCE_WORK)
         seen = sees_from(world, view, direction, squared * inverse, light->face, wanted, traced COUNTED_ARGUMENT);
+    }
+    if (!lanes_any(seen)) {
+        add_difference(toward, own, sum, nothing, (lanes_f)(0.0f), counts COUNTED_ARGUMENT);
+        return;
+    }
+    COUNTED_LANES(seen, GBDPT_JOIN_WORK)
     const lanes_f likelihood = lanes_select((lanes_f)(0.0f), offset->likelihood, seen);
     const lanes_f g = cosine * of_light * inverse * inverse;
     const Vec other = vec_scale(vec_mul(light->weight, view->weight), g * likelihood);
     const lanes_f other_sum = likelihood * (1.0f + g * (view->density * light->odds + light->density * view->odds));
-    add_difference(toward, own, sum, vec_select(vec_of((float4)(0.0f)), other, seen), lanes_select((lanes_f)(0.0f), other_sum, seen),
-                   counts);
+    add_difference(toward, own, sum, vec_select(nothing, other, seen), lanes_select((lanes_f)(0.0f), other_sum, seen),
+                   counts COUNTED_ARGUMENT);
 }
 
 /* Adds what a vertex of the light path sends by way of one of the camera's; see bdpt/join.h. */
@@ -35,16 +48,19 @@ ALWAYS_INLINE void join_shifted(const World* world, Path* path, const Vertex* vi
     const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared);
     const Vec direction = vec_scale(way, inverse);
     const lanes_f cosine = vec_dot(view->normal, direction), of_light = -vec_dot(light->normal, direction);
+    COUNTED_LANES(joins, BDPT_WAY_WORK)
     const lanes_mask wanted = joins & (cosine > 0.0f) & (of_light > 0.0f) & !sides_differ(&view->inside, &light->inside);
     if (!lanes_any(wanted)) return;
+    COUNTED_LANES(wanted, GBDPT_OWN_JOIN_WORK)
     const lanes_f g = cosine * of_light * inverse * inverse;
     const lanes_f sum = 1.0f + g * (view->density * light->odds + light->density * view->odds);
     const lanes_mask seen =
         sees_from(world, view, direction, squared * inverse, light->face, wanted, traced COUNTED_ARGUMENT);
     const Vec sent = vec_scale(vec_mul(light->weight, view->weight), g);
-    add_shared(base, offsets, sent, sum, g * light->density * view->density, seen & !first);
+    add_shared(base, offsets, sent, sum, g * light->density * view->density, seen & !first COUNTED_ARGUMENT);
     const lanes_mask own = seen & first;
     if (!lanes_any(own)) return;
+    COUNTED_LANES(own, GBDPT_ADD_OWN_WORK)
     path->radiance = vec_select(path->radiance, vec_add_scaled(path->radiance, sent, 1.0f / sum), own);
 #pragma unroll 1
     for (uint i = 0; i < NEIGHBOURS; ++i)
@@ -62,6 +78,12 @@ typedef struct Asked {
 
 ALWAYS_INLINE void ask_first(const World* world, Offset* offset, Vec* toward, const Asked* asked, Vec own, lanes_f sum,
                              lanes_mask counts, Traced* traced COUNTED_PARAMETER) {
+    const Vec nothing = vec_of((float4)(0.0f));
+    if (!lanes_any(counts & offset->follows)) {
+        add_difference(toward, own, sum, nothing, (lanes_f)(0.0f), counts COUNTED_ARGUMENT);
+        return;
+    }
+    COUNTED_LANES(counts & offset->follows, GBDPT_ASK_WAY_WORK)
     const Vertex* view = &offset->vertex;
     Ray ray;
     const Vec way = vec_sub(asked->position, view->position);
@@ -72,17 +94,20 @@ ALWAYS_INLINE void ask_first(const World* world, Offset* offset, Vec* toward, co
     const lanes_f of_lamp = vec_dot(ray.direction, vec_sub(asked->lamp.centre, asked->position));
     const lanes_mask wanted = counts & offset->follows & (cosine > 0.0f) & (of_lamp > 0.0f);
     lanes_mask seen = lanes_none();
-    lanes_f likelihood = (lanes_f)(0.0f), other_sum = likelihood;
-    if (lanes_any(wanted)) {
+    if (lanes_any(wanted))
         seen = sees_from(world, view, ray.direction, distance, asked->face, wanted, traced COUNTED_ARGUMENT);
-        const Density density = density_of_way(&asked->lamp, &ray, distance, wanted COUNTED_ARGUMENT);
-        const lanes_f ratio = offset->likelihood * of_lamp * inverse * inverse / asked->per_area;
-        likelihood = lanes_select((lanes_f)(0.0f), ratio * cosine, seen);
-        const lanes_f others = view->density + asked->area_density * (1.0f / PI) * view->odds;
-        other_sum = lanes_select((lanes_f)(0.0f), ratio * (density.part / (density.whole + 1e-30f) + cosine * others), seen);
+    if (!lanes_any(seen)) {
+        add_difference(toward, own, sum, nothing, (lanes_f)(0.0f), counts COUNTED_ARGUMENT);
+        return;
     }
-    const Vec other = vec_scale(vec_mul(asked->radiance, view->weight), likelihood);
-    add_difference(toward, own, sum, vec_select(vec_of((float4)(0.0f)), other, seen), other_sum, counts);
+    COUNTED_LANES(seen, GBDPT_ASK_WORK)
+    const Density density = density_of_way(&asked->lamp, &ray, distance, seen COUNTED_ARGUMENT);
+    const lanes_f ratio = offset->likelihood * of_lamp * inverse * inverse / asked->per_area;
+    const lanes_f others = view->density + asked->area_density * (1.0f / PI) * view->odds;
+    const lanes_f other_sum = ratio * (density.part / (density.whole + 1e-30f) + cosine * others);
+    const Vec other = vec_scale(vec_mul(asked->radiance, view->weight), ratio * cosine);
+    add_difference(toward, own, sum, vec_select(nothing, other, seen), lanes_select((lanes_f)(0.0f), other_sum, seen),
+                   counts COUNTED_ARGUMENT);
 }
 
 /* Adds the light of a lamp that a vertex of the camera's path asks for it. */
@@ -92,16 +117,20 @@ ALWAYS_INLINE void ask_shifted(const World* world, Path* path, const Vertex* vie
     if (!lanes_any(view->joins)) return;
     const LampSample lamp = sample_lamp(world->scene, &world->lamps, view->position, &draw, view->joins COUNTED_ARGUMENT);
     const lanes_f cosine = vec_dot(view->normal, lamp.direction);
+    COUNTED_LANES(view->joins, BDPT_COSINE_WORK)
     const lanes_mask wanted = view->joins & (cosine > 0.0f) & (lamp.density.whole > 0.0f);
     if (!lanes_any(wanted)) return;
+    COUNTED_LANES(wanted, GBDPT_OWN_ASK_WORK)
     const lanes_f inverse = lamp.density.whole / lamp.density.part, whole = cosine * inverse;
     const lanes_f sum = 1.0f + whole * (view->density + lamp.area_density * (1.0f / PI) * view->odds);
     const lanes_mask seen =
         sees_from(world, view, lamp.direction, lamp.distance, lamp.face, wanted, traced COUNTED_ARGUMENT);
     const Vec sent = vec_scale(vec_mul(lamp.radiance, view->weight), whole);
-    add_shared(base, offsets, sent, sum, whole * lamp.area_density * (1.0f / PI) * view->density, seen & !first);
+    add_shared(base, offsets, sent, sum, whole * lamp.area_density * (1.0f / PI) * view->density, seen & !first COUNTED_ARGUMENT);
     const lanes_mask own = seen & first;
     if (!lanes_any(own)) return;
+    COUNTED_LANES(own, GBDPT_ADD_OWN_WORK)
+    COUNTED_LANES(own, GBDPT_ASKED_WORK)
     path->radiance = vec_select(path->radiance, vec_add_scaled(path->radiance, sent, 1.0f / sum), own);
     Asked asked;
     lanes_u number;
@@ -175,13 +204,16 @@ ALWAYS_INLINE void show_offset(const World* world, const Picture* picture, lanes
                                const Previous* previous, const Path* camera, lanes_f cosine_of_base, Vec own, lanes_f sum, lanes_f shown,
                                lanes_f geometry, lanes_mask counts, Traced* traced COUNTED_PARAMETER) {
     (void)light;
+    COUNTED_LANES(counts, ENGINE_NEIGHBOUR_WORK(neighbour))
+    const lanes_mask there = counts & has_neighbour(picture, place, neighbour);
+    if (!lanes_any(there)) return;
     Path shifted;
     shifted.ray = camera->ray;
     shifted.inside = camera->inside;
     shifted.throughput = vec_of((float4)(1.0f));
-    shifted.ray.direction = shifted_direction(picture, camera->ray.direction, cosine_of_base, neighbour);
-    const lanes_mask there = counts & has_neighbour(picture, place, neighbour);
-    if (!lanes_any(there)) return;
+    shifted.ray.direction = shifted_direction(picture, camera->ray.direction, cosine_of_base, neighbour, there COUNTED_ARGUMENT);
+    COUNTED_MEETING(world->scene, there)
+    COUNTED_LANES(there, GBDPT_VIEW_WORK)
     const lanes_f from_axis = vec_dot(shifted.ray.direction, vec_of(picture->frame.axis_area));
     const Arrival met = meet(world, &shifted COUNTED_ARGUMENT);
     traced->light_segments += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), there);
@@ -200,11 +232,13 @@ ALWAYS_INLINE void show_offset(const World* world, const Picture* picture, lanes
         const lanes_f distance = squared * inverse;
         const lanes_mask seen =
             sees_from(world, &view, direction, distance, previous->face, wanted, traced COUNTED_ARGUMENT);
+        COUNTED_LANES(wanted, GBDPT_VIEW_WEIGHT_WORK)
         const lanes_f g = cosine * of_light * inverse * inverse, ratio = g / geometry;
         /* the geometry of the way to the camera, over the density of its direction in the picture */
         const lanes_f g_camera = vec_dot(view.normal, to_camera) / (away * away * inverse_of_picture(picture, from_axis));
         lanes_f last;
         if (previous->on_lamp) {
+            COUNTED_LANES(wanted, GBDPT_VIEW_LAMP_WORK)
             const Lamp lamp = lamp_of(&world->lamps, previous->number);
             Ray back;
             back.origin = view.position;
@@ -212,6 +246,7 @@ ALWAYS_INLINE void show_offset(const World* world, const Picture* picture, lanes
             const Density density = density_of_way(&lamp, &back, distance, wanted COUNTED_ARGUMENT);
             last = previous->earlier * density.part / (density.whole * cosine);
         } else {
+            COUNTED_LANES(wanted, GBDPT_VIEW_VERTEX_WORK)
             last = previous->last / g;
         }
         const lanes_f odds = last + previous->earlier * met.goes_on * (1.0f / PI);
@@ -219,8 +254,8 @@ ALWAYS_INLINE void show_offset(const World* world, const Picture* picture, lanes
         other_sum = lanes_select(other_sum, ratio * shown * (1.0f / g_camera + odds), seen);
     }
     Vec more = vec_of((float4)(0.0f));
-    add_difference(&more, own, sum, other, other_sum, there);
-    add_gradient(picture, neighbour, place, more, squared_mean(more), there);
+    add_difference(&more, own, sum, other, other_sum, there COUNTED_ARGUMENT);
+    add_gradient(picture, neighbour, place, more, squared_mean(more), there COUNTED_ARGUMENT);
 }
 
 /* Adds what a vertex of the light path sends to the camera itself, where the picture shows it; see bdpt/join.h. */
@@ -230,18 +265,22 @@ ALWAYS_INLINE void show_shifted(const World* world, const Picture* picture, lane
     const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared);
     const Vec direction = vec_scale(way, inverse), from_camera = vec_scale(direction, (lanes_f)(-1.0f));
     const lanes_f of_light = vec_dot(light->normal, direction), cosine = vec_dot(from_camera, vec_of(picture->frame.axis_area));
+    COUNTED_LANES(light->joins, BDPT_PIXEL_WORK)
     lanes_u pixel;
     const lanes_mask within = pixel_of(picture, from_camera, cosine, &pixel);
     const lanes_mask wanted = light->joins & within & (of_light > 0.0f) & !sides_differ(&light->inside, of_camera);
     if (!lanes_any(wanted)) return;
+    COUNTED_LANES(wanted, GBDPT_SHOW_WORK)
     const lanes_f g = of_light * inverse * inverse, shown = g / inverse_of_picture(picture, cosine);
     const lanes_f sum = 1.0f + shown * light->odds;
     const lanes_mask seen =
         sees_from(world, light, direction, squared * inverse, (lanes_u)(SEES_POINT), wanted, traced COUNTED_ARGUMENT);
     if (!lanes_any(seen)) return;
+    COUNTED_LANES(seen, GBDPT_SHOWN_WORK)
+    COUNTED_LANES(seen, GBDPT_GEOMETRY_WORK)
     const Vec own = vec_scale(light->weight, shown), added = vec_scale(own, 1.0f / sum);
     const lanes_u place = pixel + half_of_samples;
-    add_to_gradients(picture, 0u, place, added, squared_mean(added), seen);
+    add_to_gradients(picture, 0u, place, added, squared_mean(added), seen COUNTED_ARGUMENT);
 
     Path camera;
     camera.ray.origin = vec_of(picture->camera);
