@@ -18,7 +18,14 @@ typedef struct GradientSums {
     lanes_f squares[NEIGHBOURS + 1]; /* of means over colours; the last are the pixel's own */
 } GradientSums;
 
-static inline void no_gradient_sums(GradientSums* sums, lanes_mask wanted) {
+static inline GradientSums no_gradient_sums(void) {
+    GradientSums sums;
+    for (uint i = 0; i < NEIGHBOURS; ++i) sums.sum.toward[i] = vec_of((float4)(0.0f));
+    for (uint i = 0; i <= NEIGHBOURS; ++i) sums.squares[i] = (lanes_f)(0.0f);
+    return sums;
+}
+
+static inline void clear_gradient_sums(GradientSums* sums, lanes_mask wanted) {
     const Vec zero = vec_of((float4)(0.0f));
     for (uint i = 0; i < NEIGHBOURS; ++i) sums->sum.toward[i] = vec_select(sums->sum.toward[i], zero, wanted);
     for (uint i = 0; i <= NEIGHBOURS; ++i) sums->squares[i] = lanes_select(sums->squares[i], (lanes_f)(0.0f), wanted);

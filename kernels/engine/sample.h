@@ -31,8 +31,7 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, 
     lanes_mask busy = take_units(&unit, traced, lanes_all(), queue, run_starts, &launch);
     COUNTED_LANES(lanes_all(), ENGINE_TAKE_WORK)
 #ifdef ENGINE_GRADIENTS
-    GradientSums gradient_sums;
-    no_gradient_sums(&gradient_sums, lanes_all());
+    GradientSums gradient_sums = no_gradient_sums();
 #endif
     while (lanes_any(busy)) {
         start_samples(&path, &unit, busy, start, &launch);
@@ -53,7 +52,7 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, 
         write_units(&unit, traced, finished, tallies);
 #ifdef ENGINE_GRADIENTS
         write_gradients(&picture, &unit, &gradient_sums, finished COUNTED_ARGUMENT);
-        no_gradient_sums(&gradient_sums, finished);
+        clear_gradient_sums(&gradient_sums, finished);
 #endif
         add_light_rays(&picture, &unit, traced, finished, false, &launch);
         COUNTED_LANES(finished, ENGINE_UNIT_WORK)

@@ -86,9 +86,7 @@ ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* pi
         traced->segments += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), alive);
         if (segment == ENGINE_PATH_LENGTH) full = alive;
 
-        Shine shine;
-        shine.shines = lanes_none();
-        shine.per_odds = shine.sum = (lanes_f)(0.0f);
+        Shine shine = no_shine();
         if (SHINE_AND_GO_ON || lanes_any(alive & met.ends))
             shine = shine_of(world, &path->ray, path->throughput, &met, &odds, alive COUNTED_ARGUMENT);
         if (lanes_any(shine.shines & base.in_chain)) {

@@ -44,6 +44,16 @@ ALWAYS_INLINE Vec shifted_direction(const Picture* picture, Vec direction, lanes
     return vec_normalize(vec_add_scaled(vec_scale(direction, 1.0f / cosine), vec_of(axis), (lanes_f)(step)));
 }
 
+static inline Vertex no_vertex(const Sides* inside) {
+    Vertex vertex;
+    vertex.position = vertex.normal = vertex.weight = vec_of((float4)(0.0f));
+    vertex.odds = vertex.density = (lanes_f)(0.0f);
+    vertex.inside = *inside;
+    vertex.face = (lanes_u)(0u);
+    vertex.joins = lanes_none();
+    return vertex;
+}
+
 ALWAYS_INLINE void start_offset(Offset* offset, const Path* path, Vec direction) {
     const Vec zero = vec_of((float4)(0.0f));
     offset->ray = path->ray;
@@ -53,6 +63,7 @@ ALWAYS_INLINE void start_offset(Offset* offset, const Path* path, Vec direction)
     offset->likelihood = (lanes_f)(1.0f);
     offset->odds = (lanes_f)(0.0f);
     offset->weight = offset->shared = zero;
+    offset->vertex = no_vertex(&path->inside);
     offset->follows = lanes_all();
 }
 
@@ -132,7 +143,7 @@ ALWAYS_INLINE void add_shared(Base* base, Offset* offsets, Vec light, lanes_f su
     }
 }
 
-/* A lamp that a path met. */
+/* What a path met of a lamp. */
 typedef struct Shine {
     Vec light;
     lanes_f sum;       /* of the densities of all strategies, over the path's own */
@@ -141,16 +152,22 @@ typedef struct Shine {
     lanes_mask shines;
 } Shine;
 
+ALWAYS_INLINE Shine no_shine(void) {
+    const Vec zero = vec_of((float4)(0.0f));
+    const lanes_f nothing = (lanes_f)(0.0f);
+    const Lamp none = {zero, zero, zero, nothing, nothing, nothing, nothing, nothing, (lanes_u)(0u)};
+    const Shine shine = {zero, (lanes_f)(1.0f), nothing, none, lanes_none()};
+    return shine;
+}
+
 /* `ray` is the one that met it. */
 ALWAYS_INLINE Shine shine_of(const World* world, const Ray* ray, Vec throughput, const Arrival* met, const Odds* odds,
                              lanes_mask alive COUNTED_PARAMETER) {
-    Shine shine;
+    Shine shine = no_shine();
     COUNTED_LANES(alive, GBDPT_SHINE_WORK)
     const Vec radiance = radiance_of(&world->surfaces, met->face);
     shine.light = vec_mul(throughput, radiance);
     shine.shines = alive & (radiance.x + radiance.y + radiance.z > 0.0f);
-    shine.sum = (lanes_f)(1.0f);
-    shine.per_odds = (lanes_f)(0.0f);
     lanes_u number;
     const lanes_mask is_lamp = lamp_met(world, met->face, &number);
     if (world->lamps.count == 0u || !lanes_any(shine.shines & is_lamp)) return shine;

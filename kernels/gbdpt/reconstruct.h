@@ -36,7 +36,7 @@ static inline float4 sum_of_group(__local float4* sums, float4 own) {
         barrier(CLK_LOCAL_MEM_FENCE);
         if (item < step) sums[item] += sums[item + step];
     }
-    return sums[0];
+    return item == 0u ? sums[0] : own;
 }
 
 static inline void leave_sum(__global float4* partials, __local float4* sums, float4 own) {
