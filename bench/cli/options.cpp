@@ -289,9 +289,11 @@ struct Grammar {
                 ->check(seconds(false));
         render
             ->add_option("--aov", flags.aov,
-                         "what pixels show: radiance, or cost: what a sample takes of a tree of triangles, "
-                         "nodes as a heat map; in .exr and .pfm nodes, triangles and rays [radiance]")
-            ->check(CLI::IsMember({"radiance", "cost"}));
+                         "what pixels show: radiance; cost: what a sample takes of a tree of triangles, "
+                         "nodes as a heat map, in .exr and .pfm nodes, triangles and rays; of gradients "
+                         "primal, dx, dy: radiance without them, and how much more the pixel to the right "
+                         "has, and the one below, by size in .png and .ppm [radiance]")
+            ->check(CLI::IsMember(std::vector<std::string>(aov_names.begin(), aov_names.end())));
         render
             ->add_option("--ranges", flags.ranges,
                          "repeat a picture of several devices, by the file beside it: the same work, and who "

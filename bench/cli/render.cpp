@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -30,6 +31,11 @@ void check_output(const std::string& output) {
             "-o: found \"{}\"; allowed: a file that ends in .exr, .pfm, .png or .ppm", printable(output)));
     }
     check_writable("-o", output);
+}
+
+Aov aov_of(const RenderFlags& flags) {
+    const auto found = std::find(aov_names.begin(), aov_names.end(), flags.aov);
+    return found == aov_names.end() ? Aov::radiance : static_cast<Aov>(found - aov_names.begin());
 }
 
 void set_only_point(Case& c, const Axis& axis, const std::string& flag, const std::string& text) {
@@ -86,7 +92,7 @@ Reply rendered(DeviceWorker& worker, const Case& c, const RenderFlags& flags, bo
     request.kind = Request::Kind::render;
     request.params = c;
     request.time_s = flags.time_s;
-    request.cost = flags.aov == "cost";
+    request.aov = aov_of(flags);
     const ShareDone share(quiet);
     Reply reply = worker.request(request, [&](const Response& progress) {
         if (progress.stage == "render") share.show(progress.done);
@@ -98,9 +104,20 @@ Reply rendered(DeviceWorker& worker, const Case& c, const RenderFlags& flags, bo
     return reply;
 }
 
-/// Writes the picture, costs as a heat map where a file holds colours; returns what is to be said of it.
+Image by_size(Image picture) {
+    for (float& value : picture.rgb) value = std::abs(value);
+    return picture;
+}
+
+/// Writes the picture, costs as a heat map and differences by their size where a file holds colours; returns
+/// what is to be said of it.
 std::vector<std::string> write_picture(const RenderFlags& flags, const Image& picture) {
-    if (flags.aov != "cost") return write_image(flags.output, picture), std::vector<std::string>();
+    const Aov aov = aov_of(flags);
+    if (aov != Aov::cost) {
+        const bool differs = (aov == Aov::dx || aov == Aov::dy) && !keeps_floats(flags.output);
+        write_image(flags.output, differs ? by_size(picture) : picture);
+        return {};
+    }
     const HeatMap map = heat_map(picture);
     write_image(flags.output, keeps_floats(flags.output) ? picture : map.image);
     return {fmt::format("nodes of a sample: {} to {}, mean {}; white: {:.0f}", number_text(map.least),
@@ -156,8 +173,9 @@ int render_command(const Options& options) {
     const auto devices =
         repeated ? devices_that_made(*repeated, list.devices) : devices_to_share(flags.devices, list.devices);
     const bool together = repeated || devices.size() > 1;
-    if (flags.aov == "cost" && (together || !flags.fleet.empty()))
-        throw UsageError("--aov: found \"cost\"; allowed: radiance, where several devices make one picture");
+    if (aov_of(flags) != Aov::radiance && (together || !flags.fleet.empty()))
+        throw UsageError(fmt::format(
+            "--aov: found \"{}\"; allowed: radiance, where several devices make one picture", flags.aov));
     if (!flags.fleet.empty()) return render_in_fleet(options, c, devices);
     return together ? render_together(options, c, devices, repeated) : render_alone(options, c, devices[0]);
 }

@@ -4,7 +4,7 @@
 
 namespace ptb {
 
-/// What a picture of costs shows (RenderJob::cost): the nodes of a sample, from black for none over red and
+/// What a picture of costs shows (Aov::cost): the nodes of a sample, from black for none over red and
 /// yellow to white.
 struct HeatMap {
     Image image;

@@ -40,7 +40,7 @@ Validation check_film(const FilmEvidence& evidence);
 /// standard errors, segments per sample and the share of full-length paths within 4. Paths that roulette ends
 /// have other lengths than the reference's, and vary more: these two are left out, and the film's own
 /// variance counts where it is larger. So does that of passes, whose sum the film then is; neighbours share
-/// paths then, and are not compared.
+/// paths then, and are not compared. Of a picture that is biased only the counts are tested.
 void check_against(Validation& validation, const FilmEvidence& evidence, const Reference& reference);
 
 /// Adds the tests that any timed render of the work must pass: image mean and segments (without roulette)

@@ -13,6 +13,8 @@ namespace {
 std::string no_noise_reason(const CaseJob& job, bool has_reference) {
     if (!has_reference)
         return "there is no stored reference of this kernel, scene, path length and pixel filter";
+    if (job.work.variant.reconstruction == Reconstruction::l1)
+        return "reconstruction l1: its error is not noise alone, the picture is biased";
     if (job.work.variant.pixel_filter == PixelFilter::stratified)
         return "pixel_filter stratified: the samples of a pixel are not independent";
     return "";
@@ -26,11 +28,13 @@ Efficiency refused(const std::string& reason) {
 
 constexpr double noise_s = 5;  ///< of renders for an image's noise, at most, where each has some samples
 
-/// Samples a pixel of one of the renders, all of which together have as many as the image.
+/// Samples a pixel of one of the renders, all of which together have as many as the image; where a picture is
+/// made of gradients each has, since what that gains grows with them.
 int pass_spp(Pace& pace, const CaseJob& job) {
     const double ns = pace.ns_per_sample(job) * static_cast<double>(job.work.size.pixels());
     const double affordable = noise_s * 1e9 / ns / enough_passes;
-    return static_cast<int>(std::max(1.0, std::min(1.0 * job.work.spp / enough_passes, affordable)));
+    const double wanted = job.kernel->gradients ? job.work.spp : 1.0 * job.work.spp / enough_passes;
+    return static_cast<int>(std::max(1.0, std::min(wanted, affordable)));
 }
 
 /// By independent renders.

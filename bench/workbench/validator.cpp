@@ -84,6 +84,7 @@ Validation Validator::judged_by(const std::optional<Reference>& stored, const Ca
         check_timed(validation, evidence, host_reference(job, seed_));
         validation.against = "the host's tracer, a few samples (there is no stored reference)";
     }
+    if (film.biased) validation.against += ", by its counts alone: the picture is biased";
     return validation;
 }
 

@@ -119,10 +119,10 @@ Record Workbench::round(const Case& params, int samples, const Stage& stage) {
     return record;
 }
 
-Rendered Workbench::picture(const Case& params, bool cost, std::optional<double> time_s,
+Rendered Workbench::picture(const Case& params, Aov aov, std::optional<double> time_s,
                             const Progress& progress) {
     CaseJob job = resolve(params);
-    job.work.cost = cost;
+    job.work.aov = aov;
     refuse_unsupported(job, builds_.device());
     return render_picture(builds_, pace_, job, time_s, progress);
 }

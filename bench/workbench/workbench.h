@@ -46,7 +46,7 @@ class Workbench {
 
     /// The picture of a case, or of what its samples cost, or of what comes of it in `time_s`; see
     /// `render_picture`. Throws Unsupported for what this device cannot do, and what goes wrong.
-    Rendered picture(const Case& params, bool cost, std::optional<double> time_s, const Progress& progress);
+    Rendered picture(const Case& params, Aov aov, std::optional<double> time_s, const Progress& progress);
 
     /// This device's parts of a picture that several make, cut into runs as one of them was (`cut`), or as
     /// suits this one. Throws Unsupported for what this device cannot do, and what goes wrong.

@@ -34,6 +34,13 @@ void decode(const Json& json, const Where& where, Response::Kind& kind) {
     kind = parse_kind<Response::Kind>(json, where, response_kinds);
 }
 
+Json encode(Aov aov) { return aov_names[static_cast<std::size_t>(aov)]; }
+void decode(const Json& json, const Where& where, Aov& aov) {
+    const auto found = std::find(aov_names.begin(), aov_names.end(), json);
+    if (found == aov_names.end()) where.fail("is not a message of the worker protocol");
+    aov = static_cast<Aov>(found - aov_names.begin());
+}
+
 Json encode(const WorkerFacts& facts) { return facts.facts; }
 void decode(const Json& json, const Where& where, WorkerFacts& facts) {
     if (!json.is_object()) where.refuse(json, "an object");
@@ -47,7 +54,7 @@ inline constexpr auto fields<Request> = std::make_tuple(
     field("time_left_s", &Request::time_left_s), field("scene_hash", &Request::scene_hash),
     field("picture", &Request::picture), field("validate_only", &Request::validate_only),
     field("beside_others", &Request::beside_others), field("samples", &Request::samples),
-    field("time_s", &Request::time_s), field("cost", &Request::cost), field("cut", &Request::cut),
+    field("time_s", &Request::time_s), field("aov", &Request::aov), field("cut", &Request::cut),
     field("parts", &Request::parts), field("film_file", &Request::film_file));
 
 template <>

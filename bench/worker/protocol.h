@@ -8,6 +8,7 @@
 #include "bench/plan/config.h"
 #include "bench/record/record.h"
 #include "bench/worker/identity.h"
+#include "core/render/render.h"
 #include "core/render/parts.h"
 
 namespace ptb {
@@ -43,7 +44,7 @@ struct Request {
     bool beside_others = false;         ///< run: stay busy when measured, until `stop`
     std::optional<double> time_s;       ///< render: how long, whatever the case says of samples
     int samples = 0;                    ///< round: how many
-    bool cost = false;                  ///< render: what samples took (RenderJob::cost)
+    Aov aov = Aov::radiance;            ///< render: what pixels have
     std::optional<RunCut> cut;          ///< share_picture: as an earlier device cut it into runs
     PartRange parts;                    ///< render_parts
     std::string film_file;              ///< give_film: where to write the film

@@ -138,7 +138,7 @@ class DeviceSession : public WorkerSession {
         response.kind = Response::Kind::rendered;
         try {
             const Rendered rendered =
-                bench_->picture(request.params, request.cost, request.time_s, [&](double done) {
+                bench_->picture(request.params, request.aov, request.time_s, [&](double done) {
                     progress("render", done);
                     return !stop_asked_(request.number);
                 });

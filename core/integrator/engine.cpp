@@ -9,6 +9,7 @@
 #include "core/integrator/device_meshes.h"
 #include "core/integrator/engine_options.h"
 #include "core/integrator/film.h"
+#include "core/integrator/gradients.h"
 #include "core/integrator/large_buffer.h"
 #include "core/integrator/splats.h"
 #include "core/integrator/unit_cut.h"
@@ -49,6 +50,7 @@ Shape shape_of(const Integrator& row, const ocl::Device& device, const Scene& sc
     const RunCut cut = job.cut.value_or(RunCut{fair, std::min(most_a_round(job), paths)});
     Shape shape{is_throughput_device(device) ? busy : cores * 64, 0, 0, cut,
                 make_runs(static_cast<std::uint32_t>(spp), cut.fair, cut.most)};
+    if (row.gradients) shape.runs = in_halves(static_cast<std::uint32_t>(spp), cut);
     shape.max_units = is_throughput_device(device) ? 24 * shape.items : 1u << 18;
     shape.units_per_lane = std::min<std::uint64_t>(paths / shape.runs.longest(), 0xffffffffu);
     return shape;
@@ -127,6 +129,7 @@ class EngineRender : public PartRender {
         ocl::checked(row_.id + " restart", device_.info.name, [&] {
             film_->clear(launcher_.queue());
             if (splats_) splats_->clear(launcher_.queue());
+            if (gradients_) gradients_->clear(launcher_.queue());
             launcher_.queue().finish();
         });
         counted_.clear();
@@ -142,8 +145,9 @@ class EngineRender : public PartRender {
         launch_.inverse_pixels = 1.0f / static_cast<float>(piece.pixels);
         launch_.first_run = piece.first_run;
         launch_.units = piece.units;
-        const auto times = launch_units();
+        auto times = launch_units();
         cut_.step_over(piece);
+        if (gradients_ && cut_.samples_left() == 0) add_reconstruction(times);
         return times;
     }
 
@@ -155,6 +159,7 @@ class EngineRender : public PartRender {
             hash.add(std::span<const FilmPixel>(pixels));
         });
         film.hash = hash.text();
+        if (gradients_) take_gradients(film);
         return film;
     }
 
@@ -175,7 +180,7 @@ class EngineRender : public PartRender {
     ocl::KernelFacts facts() const override { return kernel_facts(device_, render_); }
     std::optional<Counts> counts() const override { return counted_.read(); }
     std::uint64_t device_bytes() const override {
-        return film_->bytes() + (splats_ ? splats_->bytes() : 0) + cut_.max_units() * sizeof(Tally) +
+        return film_->bytes() + (splats_ ? splats_->bytes() : 0) + (gradients_ ? gradients_->bytes() : 0) + cut_.max_units() * sizeof(Tally) +
                scene_->bytes;
     }
 
@@ -196,6 +201,7 @@ class EngineRender : public PartRender {
             counted_.give(render_);
             film_ = make_film_store(device_, program.program, row.id, job, counted_);
             if (!row.independent_pixels) splats_.emplace(device_, job.size);
+            if (row.gradients) gradients_.emplace(device_, program.program, row.id, job, scale_);
             tallies_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, cut_.max_units() * sizeof(Tally));
             counters_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE,
                                    2 * slices_of(cut_.max_units()) * sizeof(std::uint32_t));
@@ -237,6 +243,28 @@ class EngineRender : public PartRender {
         });
     }
 
+    /// The picture is made once all samples are there; its time is theirs.
+    void add_reconstruction(std::vector<LaunchTimes>& times) {
+        const auto more = ocl::checked(row_.id + " reconstruction", device_.info.name, [&] {
+            gradients_->reconstruct(launcher_, static_cast<std::uint32_t>(job_.spp));
+            return launcher_.finish();
+        });
+        times.insert(times.end(), more.begin(), more.end());
+    }
+
+    /// Every pixel has as many samples, or the picture is of no use.
+    void take_gradients(Film& film) {
+        const auto samples = static_cast<std::uint32_t>(*film.samples / job_.size.pixels());
+        film.mean = ocl::checked(row_.id + " reconstruction", device_.info.name, [&] {
+            Image image = gradients_->read(launcher_, samples);
+            launcher_.finish();
+            return image;
+        });
+        const Reconstruction method = job_.variant.reconstruction;
+        film.reconstructed = method != Reconstruction::none || is_of_gradients(job_.aov);
+        film.biased = method == Reconstruction::l1;
+    }
+
     void launch_slice(std::uint64_t slice, std::uint64_t slices) {
         EngineLaunch part = launch_;
         part.slice = static_cast<std::uint32_t>(slice);
@@ -250,6 +278,7 @@ class EngineRender : public PartRender {
         for (const cl::Buffer& each : scene_->meshes) give(each);
         give(part);
         if (splats_) give(splats_->buffer());
+        if (gradients_) give(gradients_->sums());
         launcher_.launch(render_, ranges_of(part.units - part.first_unit));
     }
 
@@ -286,6 +315,7 @@ class EngineRender : public PartRender {
     cl::Kernel render_;
     std::unique_ptr<FilmStore> film_;
     std::optional<SplatStore> splats_;
+    std::optional<GradientStore> gradients_;
     cl::Buffer tallies_, counters_, starts_;
     std::optional<SceneBuffers> scene_;
     EngineLaunch launch_;
@@ -297,12 +327,15 @@ DeviceMemory memory(const Integrator& row, const ocl::Device& device, const Scen
     const std::uint64_t units = job.size.pixels() * shape.runs.count();
     const std::uint64_t film = film_bytes_of(job.size, job.variant.film_memory) +
                                (row.independent_pixels ? 0 : splat_bytes_of(job.size));
+    const std::uint64_t gradients =
+        row.gradients ? GradientStore::gradient_bytes_of(job.size, job.variant.reconstruction) : 0;
     const std::uint64_t tallies = std::min(shape.max_units, units) * sizeof(Tally);
     const DeviceScene device_scene = device_scene_for(row, device, scene, job);
     const DeviceMeshes& meshes = device_scene.meshes;
-    return {film + tallies + device_scene.bytes(),
+    return {film + gradients + tallies + device_scene.bytes(),
             std::max({largest_film_object(job.size, job.variant.film_memory), tallies, meshes.node_bytes(),
-                      meshes.leaf_bytes(), meshes.triangle_bytes()})};
+                      meshes.leaf_bytes(), meshes.triangle_bytes(),
+                      row.gradients ? GradientStore::largest_object(job.size) : 0})};
 }
 
 std::string cut_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,

@@ -255,7 +255,7 @@ std::string engine_options(const Integrator& row, const ocl::Device& device, con
     if (job.variant.roulette == Roulette::albedo) text += " -DENGINE_ROULETTE";
     if (job.variant.film_memory == FilmMemory::image) text += " -DENGINE_IMAGE_FILM";
     if (job.variant.rng == Rng::park_miller) text += " -DPTB_PARK_MILLER";
-    if (job.cost) text += std::string(count_option) + " -DENGINE_COST";
+    if (job.aov == Aov::cost) text += std::string(count_option) + " -DENGINE_COST";
     return text;
 }
 

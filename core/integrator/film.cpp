@@ -122,7 +122,7 @@ FilmScale film_scale(const Scene& scene, const RenderJob& job, double least_chan
     const auto bits = [](double most) { return static_cast<int>(std::ceil(std::log2(most))); };
     constexpr int cost = 24;  // bits of a whole number that a float holds
     const int samples = bits(job.spp);
-    const int radiance = job.cost ? cost : bits(most_radiance(scene, job.path_length));
+    const int radiance = job.aov == Aov::cost ? cost : bits(most_radiance(scene, job.path_length));
     constexpr int most_weight = 20, of_spared = 6;
     const int weight = std::min(bits(1 / least_chance), most_weight) +
                        (job.variant.roulette == Roulette::off ? 0 : of_spared);

@@ -57,13 +57,22 @@ std::string tree_reason(const Scene& scene, const Variant& variant) {
     return "";
 }
 
+std::string reconstruction_reason(const Integrator& integrator, const Variant& variant) {
+    if (integrator.gradients || variant.reconstruction == Reconstruction{}) return "";
+    return fmt::format("reconstruction {}: {} has no gradients", variant_value("reconstruction", variant),
+                       integrator.id);
+}
+
 std::string ray_kind_reason(const Integrator& integrator, const Variant& variant) {
     if (integrator.lists_rays || variant.ray_kind == RayKind{}) return "";
     return fmt::format("ray_kind {}: {} lists no rays", variant_value("ray_kind", variant), integrator.id);
 }
 
-std::string cost_reason(const Integrator& integrator, const Scene& scene, const RenderJob& job) {
-    if (!job.cost) return "";
+std::string aov_reason(const Integrator& integrator, const Scene& scene, const RenderJob& job) {
+    if (is_of_gradients(job.aov) && !integrator.gradients)
+        return fmt::format("aov {}: {} has no gradients",
+                           aov_names[static_cast<std::size_t>(job.aov)], integrator.id);
+    if (job.aov != Aov::cost) return "";
     if (scene.meshes.empty())
         return fmt::format("aov cost: scene {} has no meshes, whose tree it shows", scene.name);
     if (integrator.lists_rays)
@@ -117,6 +126,14 @@ const std::vector<Integrator>& integrators() {
          .samples_lamps = true,
          .independent_pixels = false,
          .joins_paths = true,
+         .truth = "pt"},
+        {.id = "gbdpt",
+         .summary = "gradient-domain bdpt: samples also tell how pixels differ, and a picture is made of both",
+         .machinery = &engine_machinery,
+         .samples_lamps = true,
+         .independent_pixels = false,
+         .joins_paths = true,
+         .gradients = true,
          .truth = "pt"},
         {.id = "rays",
          .summary = "lists of rays of one kind, met with the tree of a scene's meshes: no light",
@@ -173,7 +190,8 @@ std::string unsupported_reason(const Integrator& integrator, const ocl::Device& 
                            job.path_length, scene.spheres.size(), ocl::loop_limit(device.info));
     for (const std::string& reason :
          {tree_reason(scene, job.variant), ray_kind_reason(integrator, job.variant),
-          cost_reason(integrator, scene, job), work_group_reason(integrator, device.info, job),
+          reconstruction_reason(integrator, job.variant),
+          aov_reason(integrator, scene, job), work_group_reason(integrator, device.info, job),
           launch_refusal(device, job), integrator.refusal(device, scene, job),
           memory_reason(integrator, device, scene, job)})
         if (!reason.empty()) return reason;

@@ -45,6 +45,7 @@ struct Integrator {
     /// No path adds to two pixels, so that the error of one follows from the variance of its own samples.
     bool independent_pixels = true;
     bool joins_paths = false;  ///< joins all vertices of two paths, which it keeps for that
+    bool gradients = false;    ///< its samples tell how pixels differ from their neighbours, too
     std::string truth = {};    ///< the kernel whose references and host tracer judge its films, if not itself
 
     std::string file() const { return id + "/" + id + ".cl"; }  ///< of kernels/
@@ -65,7 +66,7 @@ struct Integrator {
         return machinery->make(*this, device, program, scene, job);
     }
     /// Whether several devices may make one image.
-    bool has_parts() const { return machinery->make_parts != nullptr; }
+    bool has_parts() const { return machinery->make_parts != nullptr && !gradients; }
     std::unique_ptr<PartRender> make_parts(const ocl::Device& device, const ocl::Program& program,
                                            const Scene& scene, const RenderJob& job) const {
         return machinery->make_parts(*this, device, program, scene, job);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -17,6 +18,14 @@
 
 namespace ptb {
 
+/// What pixels have: radiance; what their samples took of a tree, as nodes, triangles and rays in the three
+/// channels, by a build of its own, which counts and whose times are not those of the usual one; or what the
+/// samples of a gradient-domain integrator say of radiance alone, of how much more the pixel to the right has,
+/// and of how much more the one below.
+enum class Aov { radiance, cost, primal, dx, dy };
+inline constexpr std::array<const char*, 5> aov_names{"radiance", "cost", "primal", "dx", "dy"};
+inline bool is_of_gradients(Aov aov) { return aov == Aov::primal || aov == Aov::dx || aov == Aov::dy; }
+
 /// What to render, and how to launch it. The image depends on everything but the launch: work-group, and what
 /// `of_image` leaves out of the variant.
 struct RenderJob {
@@ -30,9 +39,7 @@ struct RenderJob {
     /// Samples that a pixel may be ahead of others while the render goes on; a multiple of it is `spp`. 0: as
     /// many as is fastest.
     int round_spp = 0;
-    /// In place of its radiance a pixel has what its samples took of a tree: nodes, triangles and rays, in
-    /// the three channels. A build of its own, which counts; the job's times are not those of the usual one.
-    bool cost = false;
+    Aov aov = Aov::radiance;
     std::optional<RunCut> cut{};  ///< of an image that several devices make; nothing: what suits this one
 };
 
@@ -49,7 +56,9 @@ struct Film {
     std::uint64_t segments = 0;
     std::uint64_t shadow_rays = 0;  ///< beside the segments, of integrators that have them
     std::optional<std::uint64_t> full_length_paths;
-    std::uint64_t light_segments = 0;  ///< beside them too, of paths that start at lamps
+    std::uint64_t light_segments = 0;  ///< beside them too, of paths that start at lamps or are shifted
+    bool reconstructed = false;      ///< made of gradients: of other pixels' noise, too, and perhaps below 0
+    bool biased = false;               ///< its mean is not the truth, however many its samples
     std::string hash{};                ///< of its bits on the device (FilmHash)
     std::optional<RaySample> rays{};   ///< where samples are rays of a list
 };

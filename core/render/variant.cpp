@@ -49,6 +49,11 @@ const std::vector<VariantAxis>& variant_axes() {
         axis<&Variant::ray_kind>("ray_kind",
                                  "which rays the kernel rays lists: of the camera, or from there on",
                                  {"primary", "bounce1", "bounce3", "shadow"}),
+        axis<&Variant::reconstruction>(
+            "reconstruction",
+            "how gradients become a picture: least squares, weighted by their variance or not; least "
+            "absolute errors, biased; or not at all",
+            {"weighted", "l2", "l1", "none"}),
     };
     return axes;
 }

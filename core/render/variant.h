@@ -17,6 +17,7 @@ enum class Roulette { off, albedo };
 enum class BuildMode { standard, strict, relaxed };
 enum class Bvh { automatic, bvh2, wide8 };
 enum class BvhSplit { spatial, sah, spatial_xyz, sah_xyz };
+enum class Reconstruction { weighted, l2, l1, none };
 enum class RayKind { primary, bounce1, bounce3, shadow };
 
 /// How an integrator's work is expressed in OpenCL, beyond lanes and work-groups: the choices that the 2016
@@ -34,6 +35,7 @@ struct Variant {
     Bvh bvh = Bvh::automatic;                ///< how the tree of a scene's meshes lies in memory
     BvhSplit bvh_split = BvhSplit::spatial;  ///< how it is built; xyz: boxes are not parted by size
     RayKind ray_kind = RayKind::primary;     ///< of a list of rays
+    Reconstruction reconstruction = Reconstruction::weighted;  ///< of a picture from its gradients
     auto operator<=>(const Variant&) const = default;
 };
 

@@ -26,10 +26,25 @@ typedef struct Picture {
     float width, height; /* in pixels */
     float scale;         /* of the film */
     __global Splat* splats;
+#ifdef ENGINE_GRADIENTS
+    float squares_scale, inverse_width;
+    __global GradientPixel* gradients; /* those of the first half of the samples, then of the second */
+#endif
 } Picture;
 
-static inline Picture picture_of(const EngineLaunch* launch, float4 camera, __global Splat* splats) {
-    const Picture picture = {launch->picture, camera, (float)launch->width, (float)launch->height, launch->radiance_scale, splats};
+static inline Picture picture_of(const EngineLaunch* launch, float4 camera ENGINE_SPLATS_PARAMETER) {
+    Picture picture;
+    picture.frame = launch->picture;
+    picture.camera = camera;
+    picture.width = (float)launch->width;
+    picture.height = (float)launch->height;
+    picture.scale = launch->radiance_scale;
+    picture.splats = splats;
+#ifdef ENGINE_GRADIENTS
+    picture.squares_scale = launch->squares_scale;
+    picture.inverse_width = launch->inverse_width;
+    picture.gradients = gradients;
+#endif
     return picture;
 }
 

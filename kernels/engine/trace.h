@@ -86,7 +86,7 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, 
         meeting = begin_meeting(world.scene, &path.ray, &path.inside COUNTED_ARGUMENT);
     }
 #ifdef ENGINE_SPLATS
-    const Picture picture = picture_of(&launch, start.row->position_side, splats);
+    const Picture picture = picture_of(&launch, start.row->position_side ENGINE_SPLATS_ARGUMENT);
     trace_light_units(&world, &picture, start, queues + launch.light_slice, run_starts, &launch COUNTED_ARGUMENT);
 #endif
 }

@@ -5,6 +5,9 @@
 #include "engine/path.h"
 #include "lib/outlined.h"
 #include "shared/engine.h"
+#ifdef ENGINE_GRADIENTS
+#include "shared/gradients.h"
+#endif
 
 /* One lane a work-item keeps its loop in the kernel, unless it is alone on a CPU, as it is among triangles: ENGINE_ALONE. A
    function that reads local memory PoCL compiles to a crash (3.1). */
@@ -16,7 +19,10 @@
 #define ENGINE_STAY_OUTLINED (void)0
 #endif
 
-#ifdef ENGINE_SPLATS
+#if defined(ENGINE_GRADIENTS)
+#define ENGINE_SPLATS_PARAMETER , __global Splat *splats, __global GradientPixel *gradients
+#define ENGINE_SPLATS_ARGUMENT , splats, gradients
+#elif defined(ENGINE_SPLATS)
 #define ENGINE_SPLATS_PARAMETER , __global Splat* splats
 #define ENGINE_SPLATS_ARGUMENT , splats
 #else
@@ -69,6 +75,9 @@ typedef struct Unit {
     lanes_u sample, end; /* the next one to start, and the one after the last */
     lanes_u counts; /* its samples, and ENGINE_FULL_LENGTH times its paths of full length */
     lanes_u taken;  /* units so far, with ENGINE_BOUNDED */
+#ifdef ENGINE_GRADIENTS
+    lanes_u place; /* of its pixel and half among the gradients */
+#endif
     Traced before; /* it */
     Vec sum, squares;
 } Unit;
@@ -86,7 +95,14 @@ static inline Unit no_unit(void) {
     const Vec zero = vec_of((float4)(0.0f));
     const lanes_f nowhere = (lanes_f)(0.0f);
     const lanes_u none = (lanes_u)(0u);
-    const Unit unit = {none, none, nowhere, nowhere, none, none, none, none, traced_nothing(), zero, zero};
+    Unit unit;
+    unit.number = unit.pixel_hash = unit.sample = unit.end = unit.counts = unit.taken = none;
+    unit.column = unit.row = nowhere;
+    unit.before = traced_nothing();
+    unit.sum = unit.squares = zero;
+#ifdef ENGINE_GRADIENTS
+    unit.place = none;
+#endif
     return unit;
 }
 
@@ -125,6 +141,10 @@ static inline lanes_mask take_units(Unit* unit, Traced traced, lanes_mask wantin
     unit->sample = lanes_select_u(unit->sample, first, got);
     unit->end = lanes_select_u(unit->end, end, got);
     unit->counts = lanes_select_u(unit->counts, end - first, got);
+#ifdef ENGINE_GRADIENTS
+    const lanes_u half_of_samples = (run + launch->first_run) & 1u;
+    unit->place = lanes_select_u(unit->place, pixel + half_of_samples * (launch->width * launch->height), got);
+#endif
     unit->before = traced_select(&unit->before, &traced, got);
     const Vec zero = vec_of((float4)(0.0f));
     unit->sum = vec_select(unit->sum, zero, wanted);

@@ -40,6 +40,12 @@
 /* What a sample adds to another pixel: its numbers scaled. */
 #define ENGINE_SPLAT_WORK 3u, 0u, 0u, 0u
 
+/* Of a picture's gradients: a sample added to its unit's, and numbers that are added, scaled. */
+#define ENGINE_GRADIENTS_WORK (4u * (6u + 5u) + 5u), 0u, 0u, 0u
+#define ENGINE_GRADIENT_WORK 4u, 0u, 0u, 0u
+#define ENGINE_TOWARD_WORK 3u, 0u, 0u, 0u
+#define ENGINE_NEIGHBOUR_WORK(neighbour) ((neighbour) < 2u ? 1u : 0u), 0u, 0u, 0u
+
 /* engine/light.h: what is met, and its share; a lamp's cosine at a surface, the weight of its light, and that light. */
 #define LIGHT_MET_WORK 9u, 0u, 0u, SCENE_SURFACE_BYTES(12u)
 #ifdef PATH_ODDS

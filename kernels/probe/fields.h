@@ -4,6 +4,7 @@
 #define PTB_PROBE_FIELDS_H
 
 #include "shared/engine.h"
+#include "shared/gradients.h"
 #include "shared/thesis.h"
 
 #define PTB_SHARED_FIELDS(S, F)                                                                       \
@@ -36,6 +37,11 @@
     S(FilmPixel) F(FilmPixel, radiance) F(FilmPixel, squares) F(FilmPixel, samples)                    \
     F(FilmPixel, segments) F(FilmPixel, full_length_paths) F(FilmPixel, shadow_rays)                   \
     S(Splat) F(Splat, radiance) F(Splat, light_segments) F(Splat, shadow_rays) F(Splat, broken) F(Splat, padding) \
+    S(GradientPixel) F(GradientPixel, radiance) F(GradientPixel, across) F(GradientPixel, down)        \
+    F(GradientPixel, squares)                                                                          \
+    S(ReconstructLaunch) F(ReconstructLaunch, width) F(ReconstructLaunch, height)                      \
+    F(ReconstructLaunch, groups) F(ReconstructLaunch, problems) F(ReconstructLaunch, samples)          \
+    F(ReconstructLaunch, radiance_scale) F(ReconstructLaunch, squares_scale)                           \
     S(ThesisMaterial) F(ThesisMaterial, colour) F(ThesisMaterial, radiance) F(ThesisMaterial, type)   \
     F(ThesisMaterial, ior) F(ThesisMaterial, scatters) F(ThesisMaterial, padding)                     \
     S(ThesisSphere) F(ThesisSphere, centre_radius) F(ThesisSphere, material)                          \

@@ -143,7 +143,7 @@ TEST(Meshes, work_groups_passes_and_queues_change_no_bit) {
 
 TEST(Meshes, a_picture_of_costs_adds_up_to_what_is_counted) {
     RenderJob job = small_job(5, 3);
-    job.cost = true;
+    job.aov = Aov::cost;
     const auto sum = [&](const Film& film, std::size_t channel) {
         double of_samples = 0;
         for (std::size_t i = channel; i < film.mean.rgb.size(); i += 3)

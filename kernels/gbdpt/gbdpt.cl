@@ -1,0 +1,165 @@
+/* `gbdpt`: gradient-domain bidirectional path tracing, see "Gradient-Domain Bidirectional Path Tracing", by M. Manzi, M. Kettunen,
+   M. Aittala, J. Lehtinen, F. Durand and M. Zwicker. Samples are those of `bdpt`; each also tells how its pixel differs from the
+   neighbours, by paths shifted into them. What the picture and its gradients say together is made one by the kernels of
+   gbdpt/reconstruct.h. */
+#define ENGINE_SPLATS
+#define ENGINE_GRADIENTS
+#include "gbdpt/joins.h"
+
+#ifndef ENGINE_PATH_LENGTH
+#define ENGINE_PATH_LENGTH 8
+#endif
+#define LIGHT_SEGMENTS (ENGINE_PATH_LENGTH - 1)
+#define LIGHT_VERTICES (LIGHT_SEGMENTS > 0 ? LIGHT_SEGMENTS : 1)
+
+/* Loops run to their end whichever lanes are alive, as in bdpt. */
+
+/* Traces a path from a lamp. */
+ALWAYS_INLINE void trace_from_lamp(const World* world, Path* path, lanes_mask alive, LampStart* start, Vertex* light,
+                                   Traced* traced COUNTED_PARAMETER) {
+    Odds odds;
+    start->number = leave_lamp(world, path, &odds, alive COUNTED_ARGUMENT);
+    start->position = path->ray.origin;
+    start->throughput = path->throughput;
+    start->earlier = odds.earlier;
+    start->inside = path->inside;
+#pragma unroll 1
+    for (uint i = 0u; i < LIGHT_SEGMENTS; ++i) {
+        light[i].joins = lanes_none();
+        if (!lanes_any(alive)) continue;
+        const Arrival met = meet(world, path COUNTED_ARGUMENT);
+        COUNTED_RAYS(world->scene, alive)
+        traced->light_segments += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), alive);
+        const lanes_f distance = hit_distance(&met.hit);
+        const lanes_f last = i == 0u ? odds_of_asking(world, path, &met, &odds, start->number, alive COUNTED_ARGUMENT)
+                                     : odds.last * distance * distance;
+        light[i] = move_to_vertex(path, &met, &odds, last, alive COUNTED_ARGUMENT);
+        alive = bounce(world, path, &met, &odds, true, alive COUNTED_ARGUMENT);
+    }
+}
+
+/* Shows a light path's vertices to the camera, and what they are shifted. */
+ALWAYS_INLINE void show_all(const World* world, const Picture* picture, lanes_u half_of_samples, const LampStart* start, const Vertex* light,
+                            const Sides* of_camera, Traced* traced COUNTED_PARAMETER) {
+#pragma unroll 1
+    for (uint i = 0u; i < LIGHT_SEGMENTS; ++i) {
+        if (!lanes_any(light[i].joins)) continue;
+        if (i == 0u) {
+            COUNTED_LANES(light[i].joins, GBDPT_PREVIOUS_LAMP_WORK)
+        } else {
+            COUNTED_LANES(light[i].joins, GBDPT_PREVIOUS_WORK)
+        }
+        const Previous previous = i == 0u ? previous_on_lamp(world, start) : previous_vertex(&light[i - 1u]);
+        const Vertex vertex = light[i];
+        show_shifted(world, picture, half_of_samples, &vertex, &previous, of_camera, traced COUNTED_ARGUMENT);
+    }
+}
+
+/* Traces a path from the camera, and those shifted from it, and joins their vertices to the light path's; returns the lanes where it
+   is of full length. */
+ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* picture, Path* path, lanes_mask alive,
+                                           const Vertex* light, Gradients* gradients, Traced* traced COUNTED_PARAMETER) {
+    const Vec zero = vec_of((float4)(0.0f));
+    const lanes_mask base_lanes = alive;
+    const lanes_f cosine = vec_dot(path->ray.direction, vec_of(picture->frame.axis_area));
+    Odds odds;
+    odds.last = inverse_of_picture(picture, cosine);
+    odds.earlier = (lanes_f)(0.0f);
+    COUNTED_LANES(alive, BDPT_CAMERA_WORK)
+    Base base;
+    base.prefix = base.shared = zero;
+    base.in_chain = alive;
+    base.joins = lanes_none();
+    Offset offsets[NEIGHBOURS];
+#pragma unroll 1
+    for (uint i = 0; i < NEIGHBOURS; ++i) {
+        gradients->toward[i] = zero;
+        start_offset(&offsets[i], path,
+                     shifted_direction(picture, path->ray.direction, cosine, i, alive COUNTED_ARGUMENT));
+    }
+    lanes_mask full = lanes_none();
+#pragma unroll 1
+    for (uint segment = 1u; segment <= ENGINE_PATH_LENGTH; ++segment) {
+        if (!lanes_any(alive)) continue;
+        const Arrival met = meet(world, path COUNTED_ARGUMENT);
+        COUNTED_SEGMENT(world->scene, alive)
+        traced->segments += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), alive);
+        if (segment == ENGINE_PATH_LENGTH) full = alive;
+
+        Shine shine = no_shine();
+        if (SHINE_AND_GO_ON || lanes_any(alive & met.ends))
+            shine = shine_of(world, &path->ray, path->throughput, &met, &odds, alive COUNTED_ARGUMENT);
+        if (lanes_any(shine.shines & base.in_chain)) {
+            COUNTED_LANES(shine.shines & base.in_chain, GBDPT_MET_WORK)
+            path->radiance = vec_select(path->radiance, vec_add_scaled(path->radiance, shine.light, (lanes_f)(1.0f)),
+                                        shine.shines & base.in_chain);
+        }
+        const Ray ray = path->ray;
+        const Odds before = odds;
+        const lanes_f distance = hit_distance(&met.hit);
+        const Vertex view = move_to_vertex(path, &met, &odds, odds.last * distance * distance, alive COUNTED_ARGUMENT);
+
+        const lanes_mask joins = base.joins & alive;
+        if (lanes_any(joins)) {
+#pragma unroll 1
+            for (uint i = 0; i < NEIGHBOURS; ++i)
+                join_base(world, path, &ray, &met, &view, &before, &shine, &offsets[i], joins, traced COUNTED_ARGUMENT);
+            const lanes_mask shines = joins & shine.shines;
+            COUNTED_LANES(joins, GBDPT_SHARED_WORK)
+            base.shared = vec_select(base.shared, vec_add_scaled(base.shared, shine.light, 1.0f / shine.sum), shines);
+        }
+        add_shared(&base, offsets, shine.light, shine.sum, shine.per_odds, shine.shines & !base.in_chain & !base.joins COUNTED_ARGUMENT);
+
+        const lanes_mask in_all = alive, in_chain = base.in_chain & alive, first = in_chain & met.matte;
+        alive = bounce(world, path, &met, &odds, false, alive COUNTED_ARGUMENT);
+        const lanes_mask through = sides_differ(&view.inside, &path->inside);
+        if (two_sided_spheres(world->scene) > 0u) {
+            const lanes_f squeezed = squeezed_by(&met.surface, &view.inside, &path->inside);
+            for (uint i = 0; i < NEIGHBOURS; ++i) offsets[i].odds = offsets[i].odds * squeezed;
+            COUNTED_LANES(in_all, GBDPT_SQUEEZED_WORK)
+        }
+        if (lanes_any(in_chain)) {
+            COUNTED_LANES(in_chain, GBDPT_ALONG_WORK)
+            const Vec outwards = vec_sub(view.position, met.surface.centre);
+            const lanes_f chance = chance_of(&met, vec_dot(ray.direction, outwards), through, in_chain COUNTED_ARGUMENT);
+#pragma unroll 1
+            for (uint i = 0; i < NEIGHBOURS; ++i)
+                follow(world, picture, &offsets[i], &gradients->toward[i], &met, &shine, through, chance, segment, in_chain,
+                       traced COUNTED_ARGUMENT);
+        }
+        if (segment < ENGINE_PATH_LENGTH) ask_shifted(world, path, &view, &base, offsets, gradients, first, traced COUNTED_ARGUMENT);
+#pragma unroll 1
+        for (uint i = 0u; segment + i + 1u < ENGINE_PATH_LENGTH; ++i)
+            join_shifted(world, path, &view, &light[i], &base, offsets, gradients, first, traced COUNTED_ARGUMENT);
+
+        base.prefix = vec_select(base.prefix, path->throughput, first);
+        path->throughput = vec_select(path->throughput, vec_of((float4)(1.0f)), first & alive);
+        base.in_chain &= alive & !met.matte;
+        base.joins = first & alive;
+    }
+    COUNTED_LANES(base_lanes, GBDPT_END_WORK)
+    path->radiance = vec_mul_add(path->radiance, base.prefix, base.shared);
+    for (uint i = 0; i < NEIGHBOURS; ++i)
+        gradients->toward[i] =
+            vec_mul_add(gradients->toward[i], vec_sub(offsets[i].weight, base.prefix), offsets[i].shared);
+    return full;
+}
+
+ALWAYS_INLINE lanes_mask trace_sample(const World* world, const Picture* picture, Path* path, lanes_mask alive, lanes_u place,
+                                      Gradients* gradients, Traced* traced COUNTED_PARAMETER) {
+    Vertex light[LIGHT_VERTICES];
+    LampStart start;
+    Path from_lamp = *path;
+    from_lamp.random = random_split(&path->random);
+    const lanes_mask lit = world->lamps.count > 0u ? alive : lanes_none();
+    trace_from_lamp(world, &from_lamp, lit, &start, light, traced COUNTED_ARGUMENT);
+    const uint pixels = (uint)picture->width * (uint)picture->height;
+    const lanes_u half_of_samples = lanes_select_u((lanes_u)(0u), (lanes_u)(pixels), place >= pixels);
+    show_all(world, picture, half_of_samples, &start, light, &path->inside, traced COUNTED_ARGUMENT);
+    return trace_from_camera(world, picture, path, alive, light, gradients, traced COUNTED_ARGUMENT);
+}
+
+#define INTEGRATOR gbdpt
+#include "engine/sample.h"
+#include "engine/kernels.h"
+#include "gbdpt/reconstruct.h"

@@ -1,0 +1,299 @@
+/* The strategies of bdpt/join.h, of a path and of those shifted from it. */
+#ifndef PTB_GBDPT_JOINS_H
+#define PTB_GBDPT_JOINS_H
+
+#include "gbdpt/offset.h"
+
+/* Joins the shifted path's first matte vertex to a vertex of the light path: what that is worth, and its density by all strategies,
+   in units of the base path's density; nothing where they do not see each other. */
+ALWAYS_INLINE void join_first(const World* world, Offset* offset, Vec* toward, const Vertex* light, Vec own, lanes_f sum,
+                              lanes_mask counts, Traced* traced COUNTED_PARAMETER) {
+    const Vec nothing = vec_of((float4)(0.0f));
+    if (!lanes_any(counts & offset->follows)) {
+        add_difference(toward, own, sum, nothing, (lanes_f)(0.0f), counts COUNTED_ARGUMENT);
+        return;
+    }
+    COUNTED_LANES(counts & offset->follows, GBDPT_WAY_WORK)
+    const Vertex* view = &offset->vertex;
+    const Vec way = vec_sub(light->position, view->position);
+    const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared);
+    const Vec direction = vec_scale(way, inverse);
+    const lanes_f cosine = vec_dot(view->normal, direction), of_light = -vec_dot(light->normal, direction);
+    const lanes_mask wanted = counts & offset->follows & (cosine > 0.0f) & (of_light > 0.0f) &
+                              !sides_differ(&view->inside, &light->inside);
+    lanes_mask seen = lanes_none();
+    if (lanes_any(wanted)) {
+        COUNTED_LANES(wanted, GBDPT_DISTANCE_WORK)
+        seen = sees_from(world, view, direction, squared * inverse, light->face, wanted, traced COUNTED_ARGUMENT);
+    }
+    if (!lanes_any(seen)) {
+        add_difference(toward, own, sum, nothing, (lanes_f)(0.0f), counts COUNTED_ARGUMENT);
+        return;
+    }
+    COUNTED_LANES(seen, GBDPT_JOIN_WORK)
+    const lanes_f likelihood = lanes_select((lanes_f)(0.0f), offset->likelihood, seen);
+    const lanes_f g = cosine * of_light * inverse * inverse;
+    const Vec other = vec_scale(vec_mul(light->weight, view->weight), g * likelihood);
+    const lanes_f other_sum = likelihood * (1.0f + g * (view->density * light->odds + light->density * view->odds));
+    add_difference(toward, own, sum, vec_select(nothing, other, seen), lanes_select((lanes_f)(0.0f), other_sum, seen),
+                   counts COUNTED_ARGUMENT);
+}
+
+/* Adds what a vertex of the light path sends by way of one of the camera's; see bdpt/join.h. */
+ALWAYS_INLINE void join_shifted(const World* world, Path* path, const Vertex* view, const Vertex* light, Base* base, Offset* offsets,
+                                Gradients* gradients, lanes_mask first, Traced* traced COUNTED_PARAMETER) {
+    const lanes_mask joins = view->joins & light->joins;
+    if (!lanes_any(joins)) return;
+    const Vec way = vec_sub(light->position, view->position);
+    const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared);
+    const Vec direction = vec_scale(way, inverse);
+    const lanes_f cosine = vec_dot(view->normal, direction), of_light = -vec_dot(light->normal, direction);
+    COUNTED_LANES(joins, BDPT_WAY_WORK)
+    const lanes_mask wanted = joins & (cosine > 0.0f) & (of_light > 0.0f) & !sides_differ(&view->inside, &light->inside);
+    if (!lanes_any(wanted)) return;
+    COUNTED_LANES(wanted, GBDPT_OWN_JOIN_WORK)
+    const lanes_f g = cosine * of_light * inverse * inverse;
+    const lanes_f sum = 1.0f + g * (view->density * light->odds + light->density * view->odds);
+    const lanes_mask seen =
+        sees_from(world, view, direction, squared * inverse, light->face, wanted, traced COUNTED_ARGUMENT);
+    const Vec sent = vec_scale(vec_mul(light->weight, view->weight), g);
+    add_shared(base, offsets, sent, sum, g * light->density * view->density, seen & !first COUNTED_ARGUMENT);
+    const lanes_mask own = seen & first;
+    if (!lanes_any(own)) return;
+    COUNTED_LANES(own, GBDPT_ADD_OWN_WORK)
+    path->radiance = vec_select(path->radiance, vec_add_scaled(path->radiance, sent, 1.0f / sum), own);
+#pragma unroll 1
+    for (uint i = 0; i < NEIGHBOURS; ++i)
+        join_first(world, &offsets[i], &gradients->toward[i], light, sent, sum, own, traced COUNTED_ARGUMENT);
+}
+
+/* A point of a lamp, as a vertex of the camera's path asked for it. */
+typedef struct Asked {
+    Vec position, radiance;
+    lanes_f area_density;
+    lanes_f per_area; /* density of asking for it from there, by solid angle, times the lamp's cosine over the squared distance */
+    Lamp lamp;
+    lanes_u face;
+} Asked;
+
+ALWAYS_INLINE void ask_first(const World* world, Offset* offset, Vec* toward, const Asked* asked, Vec own, lanes_f sum,
+                             lanes_mask counts, Traced* traced COUNTED_PARAMETER) {
+    const Vec nothing = vec_of((float4)(0.0f));
+    if (!lanes_any(counts & offset->follows)) {
+        add_difference(toward, own, sum, nothing, (lanes_f)(0.0f), counts COUNTED_ARGUMENT);
+        return;
+    }
+    COUNTED_LANES(counts & offset->follows, GBDPT_ASK_WAY_WORK)
+    const Vertex* view = &offset->vertex;
+    Ray ray;
+    const Vec way = vec_sub(asked->position, view->position);
+    const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared), distance = squared * inverse;
+    ray.origin = view->position;
+    ray.direction = vec_scale(way, inverse);
+    const lanes_f cosine = vec_dot(view->normal, ray.direction);
+    const lanes_f of_lamp = vec_dot(ray.direction, vec_sub(asked->lamp.centre, asked->position));
+    const lanes_mask wanted = counts & offset->follows & (cosine > 0.0f) & (of_lamp > 0.0f);
+    lanes_mask seen = lanes_none();
+    if (lanes_any(wanted))
+        seen = sees_from(world, view, ray.direction, distance, asked->face, wanted, traced COUNTED_ARGUMENT);
+    if (!lanes_any(seen)) {
+        add_difference(toward, own, sum, nothing, (lanes_f)(0.0f), counts COUNTED_ARGUMENT);
+        return;
+    }
+    COUNTED_LANES(seen, GBDPT_ASK_WORK)
+    const Density density = density_of_way(&asked->lamp, &ray, distance, seen COUNTED_ARGUMENT);
+    const lanes_f ratio = offset->likelihood * of_lamp * inverse * inverse / asked->per_area;
+    const lanes_f others = view->density + asked->area_density * (1.0f / PI) * view->odds;
+    const lanes_f other_sum = ratio * (density.part / (density.whole + 1e-30f) + cosine * others);
+    const Vec other = vec_scale(vec_mul(asked->radiance, view->weight), ratio * cosine);
+    add_difference(toward, own, sum, vec_select(nothing, other, seen), lanes_select((lanes_f)(0.0f), other_sum, seen),
+                   counts COUNTED_ARGUMENT);
+}
+
+/* Adds the light of a lamp that a vertex of the camera's path asks for it. */
+ALWAYS_INLINE void ask_shifted(const World* world, Path* path, const Vertex* view, Base* base, Offset* offsets, Gradients* gradients,
+                               lanes_mask first, Traced* traced COUNTED_PARAMETER) {
+    const LampDraw draw = draw_lamp(&path->random);
+    if (!lanes_any(view->joins)) return;
+    const LampSample lamp = sample_lamp(world->scene, &world->lamps, view->position, &draw, view->joins COUNTED_ARGUMENT);
+    const lanes_f cosine = vec_dot(view->normal, lamp.direction);
+    COUNTED_LANES(view->joins, BDPT_COSINE_WORK)
+    const lanes_mask wanted = view->joins & (cosine > 0.0f) & (lamp.density.whole > 0.0f);
+    if (!lanes_any(wanted)) return;
+    COUNTED_LANES(wanted, GBDPT_OWN_ASK_WORK)
+    const lanes_f inverse = lamp.density.whole / lamp.density.part, whole = cosine * inverse;
+    const lanes_f sum = 1.0f + whole * (view->density + lamp.area_density * (1.0f / PI) * view->odds);
+    const lanes_mask seen =
+        sees_from(world, view, lamp.direction, lamp.distance, lamp.face, wanted, traced COUNTED_ARGUMENT);
+    const Vec sent = vec_scale(vec_mul(lamp.radiance, view->weight), whole);
+    add_shared(base, offsets, sent, sum, whole * lamp.area_density * (1.0f / PI) * view->density, seen & !first COUNTED_ARGUMENT);
+    const lanes_mask own = seen & first;
+    if (!lanes_any(own)) return;
+    COUNTED_LANES(own, GBDPT_ADD_OWN_WORK)
+    COUNTED_LANES(own, GBDPT_ASKED_WORK)
+    path->radiance = vec_select(path->radiance, vec_add_scaled(path->radiance, sent, 1.0f / sum), own);
+    Asked asked;
+    lanes_u number;
+    (void)lamp_met(world, lamp.face, &number);
+    asked.lamp = lamp_of(&world->lamps, number);
+    asked.position = vec_add_scaled(view->position, lamp.direction, lamp.distance);
+    asked.radiance = lamp.radiance;
+    asked.area_density = lamp.area_density;
+    asked.face = lamp.face;
+    const lanes_f of_lamp = vec_dot(lamp.direction, vec_sub(asked.lamp.centre, asked.position));
+    asked.per_area = of_lamp / (lamp.distance * lamp.distance * inverse);
+#pragma unroll 1
+    for (uint i = 0; i < NEIGHBOURS; ++i)
+        ask_first(world, &offsets[i], &gradients->toward[i], &asked, sent, sum, own, traced COUNTED_ARGUMENT);
+}
+
+/* Where a light path starts. */
+typedef struct LampStart {
+    Vec position, throughput;
+    lanes_f earlier; /* see Odds */
+    lanes_u number;
+    Sides inside;
+} LampStart;
+
+/* The vertex of a light path before one that is shown to the camera. */
+typedef struct Previous {
+    Vec position, normal; /* the normal of any length */
+    Vec throughput;       /* of light that leaves it */
+    lanes_f last;         /* odds of the way from there are this over the geometry, */
+    lanes_f earlier;      /* see Odds */
+    Sides inside;
+    lanes_u face, number; /* of the lamp, */
+    bool on_lamp;         /* where it is there */
+    lanes_mask joins;
+} Previous;
+
+ALWAYS_INLINE Previous previous_on_lamp(const World* world, const LampStart* start) {
+    const Lamp lamp = lamp_of(&world->lamps, start->number);
+    Previous previous;
+    previous.position = start->position;
+    previous.normal = vec_sub(start->position, lamp.centre);
+    previous.throughput = start->throughput;
+    previous.last = (lanes_f)(0.0f);
+    previous.earlier = start->earlier;
+    previous.inside = start->inside;
+    previous.face = lamp.face;
+    previous.number = start->number;
+    previous.on_lamp = true;
+    previous.joins = lanes_all();
+    return previous;
+}
+
+ALWAYS_INLINE Previous previous_vertex(const Vertex* vertex) {
+    const lanes_f inverse = 1.0f / lanes_max(vertex->density, (lanes_f)(1e-20f));
+    Previous previous;
+    previous.position = vertex->position;
+    previous.normal = vertex->normal;
+    previous.throughput = vec_scale(vertex->weight, inverse);
+    previous.last = inverse;
+    previous.earlier = vertex->odds * inverse;
+    previous.inside = vertex->inside;
+    previous.face = vertex->face;
+    previous.number = (lanes_u)(0u);
+    previous.on_lamp = false;
+    previous.joins = vertex->joins;
+    return previous;
+}
+
+/* What a vertex that the camera sees in a neighbouring pixel sends there of the light that left the previous one. */
+ALWAYS_INLINE void show_offset(const World* world, const Picture* picture, lanes_u place, uint neighbour, const Vertex* light,
+                               const Previous* previous, const Path* camera, lanes_f cosine_of_base, Vec own, lanes_f sum, lanes_f shown,
+                               lanes_f geometry, lanes_mask counts, Traced* traced COUNTED_PARAMETER) {
+    (void)light;
+    COUNTED_LANES(counts, ENGINE_NEIGHBOUR_WORK(neighbour))
+    const lanes_mask there = counts & has_neighbour(picture, place, neighbour);
+    if (!lanes_any(there)) return;
+    Path shifted;
+    shifted.ray = camera->ray;
+    shifted.inside = camera->inside;
+    shifted.throughput = vec_of((float4)(1.0f));
+    shifted.ray.direction = shifted_direction(picture, camera->ray.direction, cosine_of_base, neighbour, there COUNTED_ARGUMENT);
+    COUNTED_MEETING(world->scene, there)
+    COUNTED_LANES(there, GBDPT_VIEW_WORK)
+    const lanes_f from_axis = vec_dot(shifted.ray.direction, vec_of(picture->frame.axis_area));
+    const Arrival met = meet(world, &shifted COUNTED_ARGUMENT);
+    traced->light_segments += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), there);
+    const lanes_f away = hit_distance(&met.hit);
+    const Vec to_camera = vec_scale(shifted.ray.direction, (lanes_f)(-1.0f));
+    const Vertex view = move_there(&shifted, &met, there);
+    const Vec way = vec_sub(previous->position, view.position);
+    const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared);
+    const Vec direction = vec_scale(way, inverse);
+    const lanes_f cosine = vec_dot(view.normal, direction), of_light = -vec_dot(previous->normal, direction);
+    const lanes_mask wanted = there & met.matte & previous->joins & (cosine > 0.0f) & (of_light > 0.0f) &
+                              !sides_differ(&view.inside, &previous->inside);
+    Vec other = vec_of((float4)(0.0f));
+    lanes_f other_sum = (lanes_f)(0.0f);
+    if (lanes_any(wanted)) {
+        const lanes_f distance = squared * inverse;
+        const lanes_mask seen =
+            sees_from(world, &view, direction, distance, previous->face, wanted, traced COUNTED_ARGUMENT);
+        COUNTED_LANES(wanted, GBDPT_VIEW_WEIGHT_WORK)
+        const lanes_f g = cosine * of_light * inverse * inverse, ratio = g / geometry;
+        /* the geometry of the way to the camera, over the density of its direction in the picture */
+        const lanes_f g_camera = vec_dot(view.normal, to_camera) / (away * away * inverse_of_picture(picture, from_axis));
+        lanes_f last;
+        if (previous->on_lamp) {
+            COUNTED_LANES(wanted, GBDPT_VIEW_LAMP_WORK)
+            const Lamp lamp = lamp_of(&world->lamps, previous->number);
+            Ray back;
+            back.origin = view.position;
+            back.direction = direction;
+            const Density density = density_of_way(&lamp, &back, distance, wanted COUNTED_ARGUMENT);
+            last = previous->earlier * density.part / (density.whole * cosine);
+        } else {
+            COUNTED_LANES(wanted, GBDPT_VIEW_VERTEX_WORK)
+            last = previous->last / g;
+        }
+        const lanes_f odds = last + previous->earlier * met.goes_on * (1.0f / PI);
+        other = vec_select(other, vec_scale(vec_mul(previous->throughput, view.weight), ratio * shown), seen);
+        other_sum = lanes_select(other_sum, ratio * shown * (1.0f / g_camera + odds), seen);
+    }
+    Vec more = vec_of((float4)(0.0f));
+    add_difference(&more, own, sum, other, other_sum, there COUNTED_ARGUMENT);
+    add_gradient(picture, neighbour, place, more, squared_mean(more), there COUNTED_ARGUMENT);
+}
+
+/* Adds what a vertex of the light path sends to the camera itself, where the picture shows it; see bdpt/join.h. */
+ALWAYS_INLINE void show_shifted(const World* world, const Picture* picture, lanes_u half_of_samples, const Vertex* light,
+                                const Previous* previous, const Sides* of_camera, Traced* traced COUNTED_PARAMETER) {
+    const Vec way = vec_sub(vec_of(picture->camera), light->position);
+    const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared);
+    const Vec direction = vec_scale(way, inverse), from_camera = vec_scale(direction, (lanes_f)(-1.0f));
+    const lanes_f of_light = vec_dot(light->normal, direction), cosine = vec_dot(from_camera, vec_of(picture->frame.axis_area));
+    COUNTED_LANES(light->joins, BDPT_PIXEL_WORK)
+    lanes_u pixel;
+    const lanes_mask within = pixel_of(picture, from_camera, cosine, &pixel);
+    const lanes_mask wanted = light->joins & within & (of_light > 0.0f) & !sides_differ(&light->inside, of_camera);
+    if (!lanes_any(wanted)) return;
+    COUNTED_LANES(wanted, GBDPT_SHOW_WORK)
+    const lanes_f g = of_light * inverse * inverse, shown = g / inverse_of_picture(picture, cosine);
+    const lanes_f sum = 1.0f + shown * light->odds;
+    const lanes_mask seen =
+        sees_from(world, light, direction, squared * inverse, (lanes_u)(SEES_POINT), wanted, traced COUNTED_ARGUMENT);
+    if (!lanes_any(seen)) return;
+    COUNTED_LANES(seen, GBDPT_SHOWN_WORK)
+    COUNTED_LANES(seen, GBDPT_GEOMETRY_WORK)
+    const Vec own = vec_scale(light->weight, shown), added = vec_scale(own, 1.0f / sum);
+    const lanes_u place = pixel + half_of_samples;
+    add_to_gradients(picture, 0u, place, added, squared_mean(added), seen COUNTED_ARGUMENT);
+
+    Path camera;
+    camera.ray.origin = vec_of(picture->camera);
+    camera.ray.direction = from_camera;
+    camera.inside = *of_camera;
+    const Vec back = vec_sub(previous->position, light->position);
+    const lanes_f back_squared = vec_dot(back, back), back_inverse = lanes_rsqrt(back_squared);
+    const lanes_f base_geometry = -vec_dot(light->normal, back) * vec_dot(previous->normal, back) * back_inverse * back_inverse *
+                                  back_inverse * back_inverse;
+#pragma unroll 1
+    for (uint i = 0; i < NEIGHBOURS; ++i)
+        show_offset(world, picture, place, i, light, previous, &camera, cosine, own, sum, shown, base_geometry, seen,
+                    traced COUNTED_ARGUMENT);
+}
+
+#endif
