@@ -29,6 +29,7 @@ libjs-chart.js          charts in reports
 PACKAGES_TO_BUILD_TESTS="$PACKAGES_TO_BUILD
 git                     the revision that results name
 libbenchmark-dev        micro-benchmarks
+libfftw3-dev            pictures of gradients by cosine transforms, in tests
 libgtest-dev            test framework
 libgmock-dev            test framework
 locales                 a locale whose numbers have commas

@@ -53,9 +53,29 @@ class Render(CliTest):
             (("-o", "x.png", "--aov", "cost", "--scene", "knot", "--kernel", "rays"), "aov cost: rays shows where rays end"),
             (("-o", "x.png", "--time", "1", "--scene", "knot", "--kernel", "rays"), "--time: found beside kernel rays"),
             (("-o", "x.png", "--aov", "cost", "--scene", "knot", "--kernel", "thesis"), "thesis sees spheres alone"),
+            (("-o", "x.png", "--aov", "cost", "--kernel", "gbdpt"), "aov cost: scene thesis has no meshes"),
+            (("-o", "x.png", "--aov", "dx"), "aov dx: pt has no gradients"),
+            (("-o", "x.png", "--aov", "primal", "--kernel", "bdpt"), "aov primal: bdpt has no gradients"),
+            (("-o", "x.png", "-a", "reconstruction=l1"), "reconstruction l1: pt has no gradients"),
+            (("-o", "x.png", "-a", "reconstruction=l3", "--kernel", "gbdpt"), "weighted, l2, l1, none"),
+            (("-o", "x.png", "--kernel", "gbdpt", "--scene", "cornell"), "gbdpt sees spheres alone"),
         ]:
             with self.subTest(words):
                 self.assert_refused("render", *words, says=says)
+
+    def test_differences_have_signs_where_a_file_keeps_them(self):
+        words = ("render", "-d", "pocl:1", "--size", "12x8", "--spp", "4", "--path-length", "3", "--kernel", "gbdpt", "-a", "lanes=1")
+        _, primal = pfm_pixels(self.picture(*words, "--aov", "primal"))
+        self.assertTrue(all(value >= 0 for value in primal) and max(primal) > 0)
+        for aov in ("dx", "dy"):
+            _, signed = pfm_pixels(self.picture(*words, "--aov", aov))
+            self.assertLess(min(signed), 0)
+            self.assertGreater(max(signed), 0)
+            shown = [int(value) for value in self.picture(*words, "--aov", aov, name="x.ppm").split()[4:]]
+            rows = [signed[i : i + 36] for i in range(0, len(signed), 36)]
+            downwards = [value for row in reversed(rows) for value in row]  # a .pfm begins below
+            darker = [value for value, difference in zip(shown, downwards) if difference < -1e-3]
+            self.assertTrue(darker and min(darker) > 0, darker)
 
     def test_the_cost_of_samples_is_nodes_triangles_and_rays_or_a_heat_map(self):
         words = ("render", "-d", "pocl:0", "--scene", "cornell", "--size", "12x8", "--spp", "3", "--path-length", "4", "--aov", "cost")

@@ -1,9 +1,6 @@
 // What formulas know of light that both ends of a path find: no reference image, and errors of a thousandth.
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <numbers>
 #include <set>
 #include <string>
@@ -14,6 +11,7 @@
 #include "bench/validate/passes.h"
 #include "tests/support/devices.h"
 #include "tests/support/oracle_support.h"
+#include "tests/support/planted.h"
 #include "tests/support/render_once.h"
 #include "tests/support/scenes.h"
 
@@ -217,32 +215,6 @@ TEST(Bdpt, samples_do_not_depend_on_those_of_other_lanes) {
     const Film at_once = finish(*render);
     render->restart();
     EXPECT_EQ(finish(*render, 500).mean.rgb, at_once.mean.rgb);
-}
-
-/// A text of the kernels with something wrong in it.
-struct Planted {
-    const char *name, *file, *right, *wrong;
-};
-
-std::string text_of(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-/// A folder of kernels with this fault.
-std::filesystem::path plant(const Planted& fault) {
-    const auto folder = std::filesystem::path(PTB_BINARY_DIR) / "planted_kernels";
-    std::filesystem::remove_all(folder);
-    std::filesystem::copy(std::filesystem::path(PTB_SOURCE_DIR) / "kernels", folder,
-                          std::filesystem::copy_options::recursive);
-    std::string text = text_of(folder / fault.file);
-    const std::string right = fault.right;
-    const auto at = text.find(right);
-    EXPECT_NE(at, std::string::npos) << fault.file << " has no such text any more: " << right;
-    EXPECT_EQ(text.find(right, at + 1), std::string::npos) << "more than once: " << right;
-    if (at != std::string::npos) text.replace(at, right.size(), fault.wrong);
-    std::ofstream(folder / fault.file) << text;
-    return folder;
 }
 
 /// Standard errors by which the kernel with a fault misses what the formula says.

@@ -120,7 +120,7 @@ TEST_F(RecordJson, case_is_written_in_the_words_of_the_axes) {
         R"({"device":"nvidia:0","kernel":"thesis","scene":"a.json","size":"1x1","spp":1,"path_length":1,)"
         R"("scene_memory":"auto","film_memory":"buffer","queue":"in_order","dispatch":"ndrange",)"
         R"("pixel_filter":"jitter","rng":"auto","roulette":"off","build":"default","bvh":"auto","bvh_split":"spatial","ray_kind":"primary",)"
-        R"("lanes":"auto","work_group":"implicit","devices":"1","together":"no"})");
+        R"("reconstruction":"weighted","lanes":"auto","work_group":"implicit","devices":"1","together":"no"})");
 }
 
 TEST_F(RecordJson, case_of_an_earlier_version_has_the_usual_variant) {
