@@ -114,7 +114,7 @@ ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* pi
         alive = bounce(world, path, &met, &odds, false, alive COUNTED_ARGUMENT);
         const lanes_mask through = sides_differ(&view.inside, &path->inside);
         if (two_sided_spheres(world->scene) > 0u) {
-            const lanes_f squeezed = squeezed_by(&met.surface, &view.inside, &path->inside);
+            const lanes_f squeezed = squeezed_by(&met.surface, path, &view.inside);
             for (uint i = 0; i < NEIGHBOURS; ++i) offsets[i].odds = offsets[i].odds * squeezed;
             COUNTED_LANES(in_all, GBDPT_SQUEEZED_WORK)
         }
