@@ -250,7 +250,7 @@ TEST(Gradients, wrong_shifts_are_found) {
                  "(lanes_f)((neighbour & 1u) == 0u ? 1.0f : -1.0f)", "(lanes_f)(1.0f)"},
                 "thesis"},
           Trial{{"light that the camera sees is not shifted", "gbdpt/joins.h",
-                 "    add_gradient(picture, neighbour, place, more, squared_mean(more), there);\n", ""},
+                 "    add_gradient(picture, neighbour, place, more, squared_mean(more), there COUNTED_ARGUMENT);\n", ""},
                 "eclipse"}}) {
         SCOPED_TRACE(fmt::format("{}, {}", trial.fault.name, trial.scene));
         const Renderer wrong(shipped_scene(trial.scene), job_of(8), plant(trial.fault).string());
