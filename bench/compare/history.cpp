@@ -14,7 +14,7 @@
 #include "bench/compare/verdict.h"
 #include "bench/measure/statistics.h"
 #include "core/input/usage_error.h"
-#include "core/source/source.h"
+#include "core/source/text_hash.h"
 
 namespace ptb {
 namespace {

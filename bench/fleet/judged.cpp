@@ -10,7 +10,7 @@
 #include "bench/record/journal.h"
 #include "bench/record/seen_from.h"
 #include "bench/report/words.h"
-#include "core/source/source.h"
+#include "core/source/text_hash.h"
 
 namespace ptb {
 namespace {

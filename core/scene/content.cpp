@@ -9,7 +9,7 @@
 #include "core/input/printable.h"
 #include "core/input/usage_error.h"
 #include "core/mesh/mesh_file.h"
-#include "core/source/source.h"
+#include "core/source/text_hash.h"
 
 namespace ptb {
 namespace {

@@ -1,6 +1,5 @@
 #include "core/source/source.h"
 
-#include <cstdint>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -8,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/source/embedded.h"
+#include "core/source/text_hash.h"
 
 namespace ptb {
 
@@ -88,12 +88,6 @@ class Flattener {
 };
 
 }  // namespace
-
-std::string text_hash(std::string_view text) {
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    return fmt::format("{:016x}", hash);
-}
 
 std::vector<std::string> embedded_files() {
     std::vector<std::string> names;

@@ -19,9 +19,6 @@ struct SourceError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// 16 hexadecimal digits of the text's FNV-1a.
-std::string text_hash(std::string_view text);
-
 /// Names of the embedded kernel files, "pt/pt.cl", sorted.
 std::vector<std::string> embedded_files();
 

@@ -14,7 +14,7 @@
 #include "core/mesh/transform.h"
 #include "core/scene/content.h"
 #include "core/scene/scene.h"
-#include "core/source/source.h"
+#include "core/source/text_hash.h"
 
 namespace ptb {
 namespace {

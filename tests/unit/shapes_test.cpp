@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/source/source.h"
+#include "core/source/text_hash.h"
 
 namespace ptb {
 namespace {

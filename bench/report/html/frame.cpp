@@ -4,7 +4,7 @@
 
 #include "bench/report/html/assets.h"
 #include "bench/report/html/html.h"
-#include "core/source/source.h"
+#include "core/source/text_hash.h"
 
 namespace ptb {
 namespace {
