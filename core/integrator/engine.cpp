@@ -158,8 +158,11 @@ class EngineRender : public PartRender {
             store_pixels(pixels, Size{job_.size.width, first_row}.pixels(), scale_, film);
             hash.add(std::span<const FilmPixel>(pixels));
         });
+        if (gradients_) {
+            hash.add(std::span<const GradientPixel>(gradients_->read_sums(launcher_.queue())));
+            take_gradients(film);
+        }
         film.hash = hash.text();
-        if (gradients_) take_gradients(film);
         return film;
     }
 

@@ -86,7 +86,6 @@ class Together(CliTest):
         for words, says in [
             (("--kernel", "thesis"), "several devices cannot share its pictures"),
             (("--kernel", "rays"), "scene thesis has no meshes"),
-            (("--kernel", "gbdpt"), "several devices cannot share its pictures"),
             (("--kernel", "gbdpt", "--aov", "dx"), "--aov: found \"dx\""),
             (("--time", "1"), "--time: found beside 2 devices"),
             (("--aov", "cost", "--scene", "knot"), "--aov: found \"cost\""),

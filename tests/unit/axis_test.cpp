@@ -136,11 +136,10 @@ TEST(Axis, values_written_are_values_read) {
 }
 
 TEST(Axis, names_are_in_nesting_order) {
-    EXPECT_THAT(axis_names(),
-                ElementsAre("kernel", "scene", "size", "spp", "path_length", "scene_memory", "film_memory",
-                            "queue", "dispatch", "pixel_filter", "rng", "roulette", "build", "bvh",
-                            "bvh_split", "ray_kind", "reconstruction", "lanes", "work_group", "devices",
-                            "together"));
+    EXPECT_THAT(axis_names(), ElementsAre("kernel", "scene", "size", "spp", "path_length", "scene_memory",
+                                          "film_memory", "queue", "dispatch", "pixel_filter", "rng",
+                                          "roulette", "build", "bvh", "bvh_split", "ray_kind",
+                                          "reconstruction", "lanes", "work_group", "devices", "together"));
 }
 
 TEST(NearestMatch, finds_typing_errors_and_nothing_else) {
