@@ -57,7 +57,8 @@ def print_scene(renders, options, scene):
     reference = sum(renders.picture(scene, "gbdpt", "weighted", 4 * options.spp, 1000 + i)[0]
                     for i in range(REFERENCE_SEEDS)) / REFERENCE_SEEDS
     for kernel, reconstruction in ROWS:  # compiled
-        renders.picture(scene, kernel, reconstruction, START_SPP, 1)
+        for spp in (START_SPP, options.spp):
+            renders.picture(scene, kernel, reconstruction, spp, 1)
     found = {row: [] for row in ROWS}
     for i in range(options.rounds):
         for kernel, reconstruction in ROWS:
