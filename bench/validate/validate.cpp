@@ -148,8 +148,8 @@ struct BlockFamily {
                                   : block_means(film_variance(evidence, reference), block)),
           reconstructed(evidence.film.reconstructed) {}
 
-    /// Where nothing is random but rounding, the film has no variance of its own, unless pixels beside it tell
-    /// what it is.
+    /// Where nothing is random but rounding, the film has no variance of its own, unless pixels beside it
+    /// tell what it is.
     double excess(std::size_t i) const {
         return variance.rgb[i] > 0 || reconstructed ? std::max(of_film.rgb[i] - variance.rgb[i], 0.0) : 0;
     }

@@ -8,8 +8,8 @@
 #include "bench/plan/config.h"
 #include "bench/record/record.h"
 #include "bench/worker/identity.h"
-#include "core/render/render.h"
 #include "core/render/parts.h"
+#include "core/render/render.h"
 
 namespace ptb {
 

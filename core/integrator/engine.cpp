@@ -183,8 +183,8 @@ class EngineRender : public PartRender {
     ocl::KernelFacts facts() const override { return kernel_facts(device_, render_); }
     std::optional<Counts> counts() const override { return counted_.read(); }
     std::uint64_t device_bytes() const override {
-        return film_->bytes() + (splats_ ? splats_->bytes() : 0) + (gradients_ ? gradients_->bytes() : 0) + cut_.max_units() * sizeof(Tally) +
-               scene_->bytes;
+        return film_->bytes() + (splats_ ? splats_->bytes() : 0) + (gradients_ ? gradients_->bytes() : 0) +
+               cut_.max_units() * sizeof(Tally) + scene_->bytes;
     }
 
   private:

@@ -48,9 +48,7 @@ GradientStore::GradientStore(const ocl::Device& device, const cl::Program& progr
     scalars_ = buffer(2ull * RECONSTRUCT_SCALARS * texel);
 }
 
-bool GradientStore::reconstructs() const {
-    return method_ != Reconstruction::none && !is_of_gradients(aov_);
-}
+bool GradientStore::reconstructs() const { return method_ != Reconstruction::none && !is_of_gradients(aov_); }
 
 void GradientStore::clear(const cl::CommandQueue& queue) {
     queue.enqueueFillBuffer(sums_, 0u, 0, 2 * size_.pixels() * sizeof(GradientPixel));

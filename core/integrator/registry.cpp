@@ -70,8 +70,8 @@ std::string ray_kind_reason(const Integrator& integrator, const Variant& variant
 
 std::string aov_reason(const Integrator& integrator, const Scene& scene, const RenderJob& job) {
     if (is_of_gradients(job.aov) && !integrator.gradients)
-        return fmt::format("aov {}: {} has no gradients",
-                           aov_names[static_cast<std::size_t>(job.aov)], integrator.id);
+        return fmt::format("aov {}: {} has no gradients", aov_names[static_cast<std::size_t>(job.aov)],
+                           integrator.id);
     if (job.aov != Aov::cost) return "";
     if (scene.meshes.empty())
         return fmt::format("aov cost: scene {} has no meshes, whose tree it shows", scene.name);
@@ -128,7 +128,8 @@ const std::vector<Integrator>& integrators() {
          .joins_paths = true,
          .truth = "pt"},
         {.id = "gbdpt",
-         .summary = "gradient-domain bdpt: samples also tell how pixels differ, and a picture is made of both",
+         .summary =
+             "gradient-domain bdpt: samples also tell how pixels differ, and a picture is made of both",
          .machinery = &engine_machinery,
          .samples_lamps = true,
          .independent_pixels = false,
@@ -190,10 +191,9 @@ std::string unsupported_reason(const Integrator& integrator, const ocl::Device& 
                            job.path_length, scene.spheres.size(), ocl::loop_limit(device.info));
     for (const std::string& reason :
          {tree_reason(scene, job.variant), ray_kind_reason(integrator, job.variant),
-          reconstruction_reason(integrator, job.variant),
-          aov_reason(integrator, scene, job), work_group_reason(integrator, device.info, job),
-          launch_refusal(device, job), integrator.refusal(device, scene, job),
-          memory_reason(integrator, device, scene, job)})
+          reconstruction_reason(integrator, job.variant), aov_reason(integrator, scene, job),
+          work_group_reason(integrator, device.info, job), launch_refusal(device, job),
+          integrator.refusal(device, scene, job), memory_reason(integrator, device, scene, job)})
         if (!reason.empty()) return reason;
     return "";
 }

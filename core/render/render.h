@@ -20,8 +20,8 @@ namespace ptb {
 
 /// What pixels have: radiance; what their samples took of a tree, as nodes, triangles and rays in the three
 /// channels, by a build of its own, which counts and whose times are not those of the usual one; or what the
-/// samples of a gradient-domain integrator say of radiance alone, of how much more the pixel to the right has,
-/// and of how much more the one below.
+/// samples of a gradient-domain integrator say of radiance alone, of how much more the pixel to the right
+/// has, and of how much more the one below.
 enum class Aov { radiance, cost, primal, dx, dy };
 inline constexpr std::array<const char*, 5> aov_names{"radiance", "cost", "primal", "dx", "dy"};
 inline bool is_of_gradients(Aov aov) { return aov == Aov::primal || aov == Aov::dx || aov == Aov::dy; }
@@ -57,10 +57,10 @@ struct Film {
     std::uint64_t shadow_rays = 0;  ///< beside the segments, of integrators that have them
     std::optional<std::uint64_t> full_length_paths;
     std::uint64_t light_segments = 0;  ///< beside them too, of paths that start at lamps or are shifted
-    bool reconstructed = false;      ///< made of gradients: of other pixels' noise, too, and perhaps below 0
-    bool biased = false;               ///< its mean is not the truth, however many its samples
-    std::string hash{};                ///< of its bits on the device (FilmHash)
-    std::optional<RaySample> rays{};   ///< where samples are rays of a list
+    bool reconstructed = false;       ///< made of gradients: of other pixels' noise, too, and perhaps below 0
+    bool biased = false;              ///< its mean is not the truth, however many its samples
+    std::string hash{};               ///< of its bits on the device (FilmHash)
+    std::optional<RaySample> rays{};  ///< where samples are rays of a list
 };
 
 /// One scene being rendered on one device: buffers, kernels and how far it has come. Work is done in steps

@@ -60,7 +60,8 @@ ALWAYS_INLINE void show_all(const World* world, const Picture* picture, lanes_u 
 ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* picture, Path* path, lanes_mask alive,
                                            const Vertex* light, Gradients* gradients, Traced* traced COUNTED_PARAMETER) {
     const Vec zero = vec_of((float4)(0.0f));
-    const lanes_mask base_lanes = alive;
+    const lanes_mask all = alive;
+    (void)all;
     const lanes_f cosine = vec_dot(path->ray.direction, vec_of(picture->frame.axis_area));
     Odds odds;
     odds.last = inverse_of_picture(picture, cosine);
@@ -110,13 +111,13 @@ ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* pi
         }
         add_shared(&base, offsets, shine.light, shine.sum, shine.per_odds, shine.shines & !base.in_chain & !base.joins COUNTED_ARGUMENT);
 
-        const lanes_mask in_all = alive, in_chain = base.in_chain & alive, first = in_chain & met.matte;
+        const lanes_mask in_chain = base.in_chain & alive, first = in_chain & met.matte;
+        COUNTED(two_sided_spheres(world->scene) > 0u ? counted_lanes(alive) : 0u, GBDPT_SQUEEZED_WORK)
         alive = bounce(world, path, &met, &odds, false, alive COUNTED_ARGUMENT);
         const lanes_mask through = sides_differ(&view.inside, &path->inside);
         if (two_sided_spheres(world->scene) > 0u) {
             const lanes_f squeezed = squeezed_by(&met.surface, path, &view.inside);
             for (uint i = 0; i < NEIGHBOURS; ++i) offsets[i].odds = offsets[i].odds * squeezed;
-            COUNTED_LANES(in_all, GBDPT_SQUEEZED_WORK)
         }
         if (lanes_any(in_chain)) {
             COUNTED_LANES(in_chain, GBDPT_ALONG_WORK)
@@ -137,7 +138,7 @@ ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* pi
         base.in_chain &= alive & !met.matte;
         base.joins = first & alive;
     }
-    COUNTED_LANES(base_lanes, GBDPT_END_WORK)
+    COUNTED_LANES(all, GBDPT_END_WORK)
     path->radiance = vec_mul_add(path->radiance, base.prefix, base.shared);
     for (uint i = 0; i < NEIGHBOURS; ++i)
         gradients->toward[i] =

@@ -155,8 +155,13 @@ typedef struct Shine {
 ALWAYS_INLINE Shine no_shine(void) {
     const Vec zero = vec_of((float4)(0.0f));
     const lanes_f nothing = (lanes_f)(0.0f);
-    const Lamp none = {zero, zero, zero, nothing, nothing, nothing, nothing, nothing, (lanes_u)(0u)};
-    const Shine shine = {zero, (lanes_f)(1.0f), nothing, none, lanes_none()};
+    Shine shine;
+    shine.light = shine.lamp.centre = shine.lamp.axis = shine.lamp.radiance = zero;
+    shine.lamp.radius = shine.lamp.extent = shine.lamp.chance = shine.lamp.cap_density = shine.lamp.near_squared = nothing;
+    shine.lamp.face = (lanes_u)(0u);
+    shine.sum = (lanes_f)(1.0f);
+    shine.per_odds = nothing;
+    shine.shines = lanes_none();
     return shine;
 }
 

@@ -148,13 +148,13 @@ __kernel void KERNEL(reweigh)(__global float4* given, __global const float4* sol
 }
 
 /* A pixel's edges: to the right and below, and, as its neighbours have them, to the left and above. */
-typedef struct Edges {
+typedef struct PixelEdges {
     float right, below, left, above; /* weights; 0 where the picture ends */
     uint to_left, to_above;          /* how far they are */
-} Edges;
+} PixelEdges;
 
-static inline Edges edges_of(__global const float4* given, uint pixel, const ReconstructLaunch* r) {
-    Edges edges;
+static inline PixelEdges pixel_edges(__global const float4* given, uint pixel, const ReconstructLaunch* r) {
+    PixelEdges edges;
     edges.to_left = pixel % r->width > 0u ? 1u : 0u;
     edges.to_above = pixel >= r->width ? r->width : 0u;
     edges.right = given[3u * pixel + 1u].w;
@@ -164,7 +164,7 @@ static inline Edges edges_of(__global const float4* given, uint pixel, const Rec
     return edges;
 }
 
-static inline float4 scaled_by_diagonal(float4 residual, __global const float4* given, uint pixel, const Edges* edges) {
+static inline float4 scaled_by_diagonal(float4 residual, __global const float4* given, uint pixel, const PixelEdges* edges) {
     return residual / (given[3u * pixel].w + (edges->right + edges->left) + (edges->below + edges->above));
 }
 
@@ -179,7 +179,7 @@ __kernel void KERNEL(begin)(__global const float4* given, __global const float4*
     __global const float4* x = solution + share.problem * share.pixels;
     float4 sum = (float4)(0.0f);
     for (uint i = share.first; i < share.end; i += RECONSTRUCT_GROUP) {
-        const Edges edges = edges_of(own, i, &r);
+        const PixelEdges edges = pixel_edges(own, i, &r);
         float4 rest = own[3u * i].w * (own[3u * i] - x[i]);
         if (edges.right > 0.0f) rest += edges.right * (x[i + 1u] - x[i] - own[3u * i + 1u]);
         if (edges.below > 0.0f) rest += edges.below * (x[i + r.width] - x[i] - own[3u * i + 2u]);
@@ -203,7 +203,7 @@ __kernel void KERNEL(apply)(__global const float4* given, __global const float4*
     __global const float4* p = way + share.problem * share.pixels;
     float4 sum = (float4)(0.0f);
     for (uint i = share.first; i < share.end; i += RECONSTRUCT_GROUP) {
-        const Edges edges = edges_of(own, i, &r);
+        const PixelEdges edges = pixel_edges(own, i, &r);
         const float4 here = p[i];
         float4 q = own[3u * i].w * here;
         if (edges.right > 0.0f) q += edges.right * (here - p[i + 1u]);
@@ -233,7 +233,7 @@ __kernel void KERNEL(step)(__global const float4* given, __global float4* soluti
         solution[place] += far * way[place];
         const float4 rest = residual[place] - far * applied[place];
         residual[place] = rest;
-        const Edges edges = edges_of(own, i, &r);
+        const PixelEdges edges = pixel_edges(own, i, &r);
         sum.x += product(rest, scaled_by_diagonal(rest, own, i, &edges));
     }
     leave_sum(partials, group_sums, sum);
@@ -248,7 +248,7 @@ __kernel void KERNEL(turn)(__global const float4* given, __global const float4* 
     const float kept = over(row[(turn + 1u) % 2u].x, row[turn % 2u].x);
     for (uint i = share.first; i < share.end; i += RECONSTRUCT_GROUP) {
         const uint place = share.problem * share.pixels + i;
-        const Edges edges = edges_of(own, i, &r);
+        const PixelEdges edges = pixel_edges(own, i, &r);
         way[place] = scaled_by_diagonal(residual[place], own, i, &edges) + kept * way[place];
     }
 }

@@ -251,7 +251,9 @@ TEST(Gradients, wrong_shifts_are_found) {
                 "thesis",
                 8},
           Trial{{"light that the camera sees is not shifted", "gbdpt/joins.h",
-                 "    add_gradient(picture, neighbour, place, more, squared_mean(more), there COUNTED_ARGUMENT);\n", ""},
+                 "    add_gradient(picture, neighbour, place, more, squared_mean(more), there "
+                 "COUNTED_ARGUMENT);\n",
+                 ""},
                 "eclipse",
                 8}}) {
         SCOPED_TRACE(fmt::format("{}, {}", trial.fault.name, trial.scene));
