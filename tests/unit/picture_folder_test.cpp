@@ -34,7 +34,7 @@ TEST(Chunks, cover_all_parts_and_become_ever_smaller) {
 
 class PictureFolderTest : public testing::Test {
   protected:
-    fs::path path_ = fs::temp_directory_path() / "ptb_picture_folder_test";
+    fs::path path_ = fs::temp_directory_path() / ("ptb_picture_folder_test_" + std::to_string(getpid()));
     PictureFolderTest() { fs::remove_all(path_); }
     ~PictureFolderTest() override { fs::remove_all(path_); }
 
