@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include "bench/plan/config.h"
 #include "bench/together/hand_out.h"
