@@ -158,10 +158,7 @@ class EngineRender : public PartRender {
             store_pixels(pixels, Size{job_.size.width, first_row}.pixels(), scale_, film);
             hash.add(std::span<const FilmPixel>(pixels));
         });
-        if (gradients_) {
-            hash.add(std::span<const GradientPixel>(gradients_->read_sums(launcher_.queue())));
-            take_gradients(film);
-        }
+        if (gradients_) take_gradients(film, hash);
         film.hash = hash.text();
         return film;
     }
@@ -256,10 +253,12 @@ class EngineRender : public PartRender {
     }
 
     /// Every pixel has as many samples, or the picture is of no use.
-    void take_gradients(Film& film) {
+    void take_gradients(Film& film, FilmHash& hash) {
         const auto samples = static_cast<std::uint32_t>(*film.samples / job_.size.pixels());
         film.mean = ocl::checked(row_.id + " reconstruction", device_.info.name, [&] {
-            Image image = gradients_->read(launcher_, samples);
+            const std::vector<GradientPixel> sums = gradients_->read_sums(launcher_.queue());
+            hash.add(std::span<const GradientPixel>(sums));
+            Image image = gradients_->picture(launcher_, samples, sums);
             launcher_.finish();
             return image;
         });

@@ -116,7 +116,8 @@ std::vector<GradientPixel> GradientStore::read_sums(const cl::CommandQueue& queu
     return sums;
 }
 
-Image GradientStore::read(Launcher& launcher, std::uint32_t samples) {
+Image GradientStore::picture(Launcher& launcher, std::uint32_t samples,
+                             const std::vector<GradientPixel>& sums) {
     Image image{size_, std::vector<float>(size_.pixels() * 3)};
     if (samples == 0) return image;
     if (reconstructs()) {
@@ -127,7 +128,6 @@ Image GradientStore::read(Launcher& launcher, std::uint32_t samples) {
         for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = texels[i / 3].s[i % 3];
         return image;
     }
-    const std::vector<GradientPixel> sums = read_sums(launcher.queue());
     const ptb_long(GradientPixel::*kind)[3] = aov_ == Aov::dx   ? &GradientPixel::across
                                               : aov_ == Aov::dy ? &GradientPixel::down
                                                                 : &GradientPixel::radiance;

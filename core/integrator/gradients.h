@@ -24,9 +24,9 @@ class GradientStore {
     void clear(const cl::CommandQueue& queue);
     /// Enqueues what makes the picture of so many samples a pixel, unless it is made of them already.
     void reconstruct(Launcher& launcher, std::uint32_t samples);
-    /// The picture, or what the job asks for in its place, of so many samples a pixel; reconstructs it where
-    /// that was not done.
-    Image read(Launcher& launcher, std::uint32_t samples);
+    /// The picture, or what the job asks for in its place, of so many samples a pixel, which `sums` are
+    /// those of; reconstructs it where that was not done.
+    Image picture(Launcher& launcher, std::uint32_t samples, const std::vector<GradientPixel>& sums);
     std::vector<GradientPixel> read_sums(const cl::CommandQueue& queue) const;
     std::uint64_t bytes() const { return gradient_bytes_of(size_, method_); }
 

@@ -85,10 +85,12 @@ void save_reference(const std::filesystem::path& folder, const Reference& refere
     write_bytes(folder / (name + ".json"), facts(reference).dump(4) + "\n");
 }
 
-std::optional<Reference> load_reference(const std::filesystem::path& folder, const std::string& name) {
+std::optional<Reference> load_reference(const std::filesystem::path& folder, const std::string& name,
+                                        const std::string& scene_content) {
     const std::filesystem::path json = folder / (name + ".json"), exr = folder / (name + ".exr");
     if (!std::filesystem::exists(json) && !std::filesystem::exists(exr)) return std::nullopt;
     Reference reference = read_facts(json);
+    if (reference.scene_content != scene_content) return std::nullopt;
     std::map<std::string, Image> layers = read_exr_layers(exr);
     reference.mean = take_layer(layers, "mean", reference.size, exr);
     reference.variance = take_layer(layers, "variance", reference.size, exr);

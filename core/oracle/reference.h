@@ -30,7 +30,9 @@ std::string reference_name(const std::string& scene, const std::string& kernel, 
 /// Writes both files into `folder`. Throws ImageError.
 void save_reference(const std::filesystem::path& folder, const Reference& reference);
 
-/// Reads a reference, or nothing when there is none of that name. Throws ImageError when it is broken.
-std::optional<Reference> load_reference(const std::filesystem::path& folder, const std::string& name);
+/// Reads a reference, or nothing when there is none of that name and of a scene of this content
+/// (`Scene::content`). Throws ImageError when it is broken.
+std::optional<Reference> load_reference(const std::filesystem::path& folder, const std::string& name,
+                                        const std::string& scene_content);
 
 }  // namespace ptb

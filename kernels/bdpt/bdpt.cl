@@ -4,36 +4,7 @@
    of both joined, and vertices of the light path that the camera sees. Each counts by its share. */
 #define ENGINE_SPLATS
 #include "bdpt/join.h"
-#include "bdpt/lamp.h"
-
-/* Most segments of a path; a light path has one less. */
-#ifndef ENGINE_PATH_LENGTH
-#define ENGINE_PATH_LENGTH 8
-#endif
-#define LIGHT_SEGMENTS (ENGINE_PATH_LENGTH - 1)
-#define LIGHT_VERTICES (LIGHT_SEGMENTS > 0 ? LIGHT_SEGMENTS : 1)
-
-/* Loops run to their end whichever lanes are alive, and are not unrolled: those of a warp that left one would not meet the others
-   again before the sample's end. 2.0 -> 2.5 Gsamples/s; where lamps end many light paths, 0.33 -> 2.2 (H200). */
-
-/* Traces a path from a lamp. */
-ALWAYS_INLINE void trace_from_lamp(const World* world, Path* path, lanes_mask alive, Vertex* light, Traced* traced COUNTED_PARAMETER) {
-    Odds odds;
-    const lanes_u number = leave_lamp(world, path, &odds, alive COUNTED_ARGUMENT);
-#pragma unroll 1
-    for (uint i = 0u; i < LIGHT_SEGMENTS; ++i) {
-        light[i].joins = lanes_none();
-        if (!lanes_any(alive)) continue;
-        const Arrival met = meet(world, path COUNTED_ARGUMENT);
-        COUNTED_RAYS(world->scene, alive)
-        traced->light_segments += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), alive);
-        const lanes_f distance = hit_distance(&met.hit);
-        const lanes_f last = i == 0u ? odds_of_asking(world, path, &met, &odds, number, alive COUNTED_ARGUMENT)
-                                         : odds.last * distance * distance;
-        light[i] = move_to_vertex(path, &met, &odds, last, alive COUNTED_ARGUMENT);
-        alive = bounce(world, path, &met, &odds, true, alive COUNTED_ARGUMENT);
-    }
-}
+#include "bdpt/light_path.h"
 
 /* Shows a light path's vertices to the camera. Apart from the path, which would wait for it at every turn: 570 -> 1910
    Msamples/s (H200). */
@@ -84,7 +55,9 @@ ALWAYS_INLINE lanes_mask trace_sample(const World* world, const Picture* picture
     Path from_lamp = *path;
     from_lamp.random = random_split(&path->random);
     const lanes_mask lit = world->lamps.count > 0u ? alive : lanes_none();
-    trace_from_lamp(world, &from_lamp, lit, light, traced COUNTED_ARGUMENT);
+    Odds odds;
+    const lanes_u number = leave_lamp(world, &from_lamp, &odds, lit COUNTED_ARGUMENT);
+    trace_light_path(world, &from_lamp, &odds, number, lit, light, traced COUNTED_ARGUMENT);
     show_all(world, picture, light, &path->inside, traced COUNTED_ARGUMENT);
     return trace_from_camera(world, picture, path, alive, light, traced COUNTED_ARGUMENT);
 }

@@ -4,39 +4,8 @@
    gbdpt/reconstruct.h. */
 #define ENGINE_SPLATS
 #define ENGINE_GRADIENTS
+#include "bdpt/light_path.h"
 #include "gbdpt/joins.h"
-
-#ifndef ENGINE_PATH_LENGTH
-#define ENGINE_PATH_LENGTH 8
-#endif
-#define LIGHT_SEGMENTS (ENGINE_PATH_LENGTH - 1)
-#define LIGHT_VERTICES (LIGHT_SEGMENTS > 0 ? LIGHT_SEGMENTS : 1)
-
-/* Loops run to their end whichever lanes are alive, as in bdpt. */
-
-/* Traces a path from a lamp. */
-ALWAYS_INLINE void trace_from_lamp(const World* world, Path* path, lanes_mask alive, LampStart* start, Vertex* light,
-                                   Traced* traced COUNTED_PARAMETER) {
-    Odds odds;
-    start->number = leave_lamp(world, path, &odds, alive COUNTED_ARGUMENT);
-    start->position = path->ray.origin;
-    start->throughput = path->throughput;
-    start->earlier = odds.earlier;
-    start->inside = path->inside;
-#pragma unroll 1
-    for (uint i = 0u; i < LIGHT_SEGMENTS; ++i) {
-        light[i].joins = lanes_none();
-        if (!lanes_any(alive)) continue;
-        const Arrival met = meet(world, path COUNTED_ARGUMENT);
-        COUNTED_RAYS(world->scene, alive)
-        traced->light_segments += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), alive);
-        const lanes_f distance = hit_distance(&met.hit);
-        const lanes_f last = i == 0u ? odds_of_asking(world, path, &met, &odds, start->number, alive COUNTED_ARGUMENT)
-                                     : odds.last * distance * distance;
-        light[i] = move_to_vertex(path, &met, &odds, last, alive COUNTED_ARGUMENT);
-        alive = bounce(world, path, &met, &odds, true, alive COUNTED_ARGUMENT);
-    }
-}
 
 /* Shows a light path's vertices to the camera, and what they are shifted. */
 ALWAYS_INLINE void show_all(const World* world, const Picture* picture, lanes_u half_of_samples, const LampStart* start, const Vertex* light,
@@ -149,11 +118,13 @@ ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* pi
 ALWAYS_INLINE lanes_mask trace_sample(const World* world, const Picture* picture, Path* path, lanes_mask alive, lanes_u place,
                                       Gradients* gradients, Traced* traced COUNTED_PARAMETER) {
     Vertex light[LIGHT_VERTICES];
-    LampStart start;
     Path from_lamp = *path;
     from_lamp.random = random_split(&path->random);
     const lanes_mask lit = world->lamps.count > 0u ? alive : lanes_none();
-    trace_from_lamp(world, &from_lamp, lit, &start, light, traced COUNTED_ARGUMENT);
+    Odds odds;
+    const lanes_u number = leave_lamp(world, &from_lamp, &odds, lit COUNTED_ARGUMENT);
+    const LampStart start = {from_lamp.ray.origin, from_lamp.throughput, odds.earlier, number, from_lamp.inside};
+    trace_light_path(world, &from_lamp, &odds, number, lit, light, traced COUNTED_ARGUMENT);
     const uint pixels = (uint)picture->width * (uint)picture->height;
     const lanes_u half_of_samples = lanes_select_u((lanes_u)(0u), (lanes_u)(pixels), place >= pixels);
     show_all(world, picture, half_of_samples, &start, light, &path->inside, traced COUNTED_ARGUMENT);

@@ -200,10 +200,9 @@ ALWAYS_INLINE Previous previous_vertex(const Vertex* vertex) {
 }
 
 /* What a vertex that the camera sees in a neighbouring pixel sends there of the light that left the previous one. */
-ALWAYS_INLINE void show_offset(const World* world, const Picture* picture, lanes_u place, uint neighbour, const Vertex* light,
+ALWAYS_INLINE void show_offset(const World* world, const Picture* picture, lanes_u place, uint neighbour,
                                const Previous* previous, const Path* camera, lanes_f cosine_of_base, Vec own, lanes_f sum, lanes_f shown,
                                lanes_f geometry, lanes_mask counts, Traced* traced COUNTED_PARAMETER) {
-    (void)light;
     COUNTED_LANES(counts, ENGINE_NEIGHBOUR_WORK(neighbour))
     const lanes_mask there = counts & has_neighbour(picture, place, neighbour);
     if (!lanes_any(there)) return;
@@ -292,7 +291,7 @@ ALWAYS_INLINE void show_shifted(const World* world, const Picture* picture, lane
                                   back_inverse * back_inverse;
 #pragma unroll 1
     for (uint i = 0; i < NEIGHBOURS; ++i)
-        show_offset(world, picture, place, i, light, previous, &camera, cosine, own, sum, shown, base_geometry, seen,
+        show_offset(world, picture, place, i, previous, &camera, cosine, own, sum, shown, base_geometry, seen,
                     traced COUNTED_ARGUMENT);
 }
 

@@ -56,8 +56,6 @@
 #define GBDPT_VIEW_WEIGHT_WORK (1u + 3u + 5u + 5u + 3u + 7u + 3u), 0u, 3u, 0u
 #define GBDPT_VIEW_LAMP_WORK 2u, 0u, 1u, 0u
 #define GBDPT_VIEW_VERTEX_WORK 0u, 0u, 1u, 0u
-/* Numbers added to gradients, and their squared mean. */
-#define GBDPT_ADD_WORK 0u, 0u, 0u, 0u
 /* What is met at first; the squared index of all shifted paths; the cosine at what is met. */
 #define GBDPT_MET_WORK 6u, 0u, 0u, 0u
 #define GBDPT_SQUEEZED_WORK 4u, 0u, 0u, 0u

@@ -4,7 +4,7 @@ import csv
 import io
 import unittest
 
-from ptbench import SOURCE, CliTest, ended
+from ptbench import SOURCE, CliTest, ended, undisturbed
 from validate_schema import schema_errors
 
 # As TINY, without a number of samples.
@@ -79,11 +79,13 @@ class Measuring(CliTest):
         self.assertGreaterEqual(len(case["samples"]), 23)
 
     def test_three_spps_give_a_line(self):
-        result = self.run_cases("--spp", "20,40,80", "--samples", "5")
-        (fit,) = result["fits"]
+        measured = self.run_cases("--spp", "20,40,80", "--samples", "9")
+        self.scratch.write("steady.json", undisturbed(measured))
+        said = self.run_ok("--resume", "steady.json", "--out", "line").stdout
+        (fit,) = self.scratch.result("line")["fits"]
         self.assertEqual((fit["points"], fit["params"]["spp"]), (3, 80))
         self.assertGreater(fit["ms_per_spp"], 0)
-        self.assertIn("time over SPP", self.output)
+        self.assertIn("time over SPP", said)
 
     def test_the_host_clock_when_asked_for(self):
         (case,) = self.run_cases("--spp", "4", "--samples", "5", "--timer", "host")["cases"]

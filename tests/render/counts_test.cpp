@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "tests/support/devices.h"
+#include "tests/support/everything.h"
 #include "tests/support/render_once.h"
 #include "tests/support/scenes.h"
 
@@ -39,22 +39,14 @@ TEST(Counts, every_sample_of_odd_sizes_is_done_once) {
 
 TEST(Counts, samples_left_falls_to_zero_by_what_was_asked) {
     const Scene scene = shipped_scene("thesis");
-    on_every_device([&](const ocl::Device& device) {
-        for (const Integrator& row : integrators()) {
-            if (!row.spheres) continue;
-            RenderJob job;
-            job.size = {37, 21};
-            job.spp = 33;
-            job.path_length = 2;
-            const auto render = make_render(device, row.id, scene, job);
-            std::uint64_t left = render->samples_left();
-            while (left > 0) {
-                render->advance(1000);
-                ASSERT_LT(render->samples_left(), left) << row.id << " makes no progress";
-                EXPECT_LE(left - render->samples_left(), 1000u)
-                    << row.id << " does more than it may in one launch";
-                left = render->samples_left();
-            }
+    on_everything([&](const ocl::Device& device, const Integrator& row, int lanes) {
+        const auto render = make_render(device, row.id, scene, small_job(lanes));
+        std::uint64_t left = render->samples_left();
+        while (left > 0) {
+            render->advance(1000);
+            ASSERT_LT(render->samples_left(), left) << "makes no progress";
+            EXPECT_LE(left - render->samples_left(), 1000u) << "does more than it may in one launch";
+            left = render->samples_left();
         }
     });
 }

@@ -91,7 +91,8 @@ struct Truth {
 
 Truth stored_truth(const std::string& scene) {
     const auto folder = std::filesystem::path(PTB_SOURCE_DIR) / "results/references";
-    const auto reference = load_reference(folder, reference_name(scene, "pt", {128, 128}, 8));
+    const auto reference =
+        load_reference(folder, reference_name(scene, "pt", {128, 128}, 8), shipped_scene(scene).content);
     EXPECT_TRUE(reference.has_value()) << scene;
     const auto moments = moments_at({reference->mean, reference->variance}, small);
     Truth truth{brightness(moments->mean), {}};

@@ -89,7 +89,7 @@ class Sums {
         Launcher launcher(device, job.variant);
         launcher.queue().enqueueWriteBuffer(store.sums(), CL_TRUE, 0, pixels_.size() * sizeof(GradientPixel),
                                             pixels_.data());
-        const Image image = store.read(launcher, samples_);
+        const Image image = store.picture(launcher, samples_, pixels_);
         launcher.finish();
         std::vector<double> red(size_.pixels());
         for (std::size_t i = 0; i < red.size(); ++i) {

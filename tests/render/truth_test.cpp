@@ -112,7 +112,8 @@ TEST(Truth, pt_agrees_with_the_stored_references) {
     const auto folder = std::filesystem::path(PTB_SOURCE_DIR) / "results/references";
     int found = 0;
     for (const std::string scene : {"thesis", "free_light", "furnace", "lamps"}) {
-        const auto reference = load_reference(folder, reference_name(scene, "pt", validation_size, 5));
+        const auto reference = load_reference(folder, reference_name(scene, "pt", validation_size, 5),
+                                              shipped_scene(scene).content);
         if (!reference) continue;
         ++found;
         on_every_device([&](const ocl::Device& device) {

@@ -80,10 +80,8 @@ std::string caption_of(const ResultFile& result, const Picture& picture) {
 /// Of the scene as the run had it.
 std::optional<Reference> reference_of(const ResultFile& result, const Case& c, const fs::path& folder) {
     if (!is_plain_name(c.scene) || !is_plain_name(c.kernel)) return std::nullopt;
-    auto reference =
-        load_reference(folder, reference_name(c.scene, truth_of(c.kernel), validation_size, c.path_length));
-    if (reference && reference->scene_content != scene_hash_of(result.run, c.scene)) return std::nullopt;
-    return reference;
+    const std::string name = reference_name(c.scene, truth_of(c.kernel), validation_size, c.path_length);
+    return load_reference(folder, name, scene_hash_of(result.run, c.scene));
 }
 
 Figure z_figure(const Image& image, const Reference& reference, const Picture& picture) {
