@@ -20,7 +20,7 @@ from pictures import read_exr, read_pfm
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 FIGURES = {("thesis", "pt"): "thesis_128_pl128_blocks.json", ("free_light", "pt"): "free_light_64_pl128_mitsuba_blocks.json"}
-SAME_PICTURE = {"pt_nee": "pt", "pt_lt": "pt", "bdpt": "pt", "gbdpt": "pt"}
+SAME_PICTURE = {"pt_nee": "pt", "pt_lt": "pt", "gpt": "pt", "bdpt": "pt", "gbdpt": "pt"}
 PATH_LENGTH, EDGE = 128, 8
 
 

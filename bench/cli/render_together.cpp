@@ -254,14 +254,13 @@ int render_in_fleet(const Options& options, const Case& params, const std::vecto
     const ShareDone share(options.common.quiet);
     const SharedPicture picture = crew->make(
         {}, [&](double done) { share.show(done); }, [&] { return folder.claim(node); });
-    if (stopped()) {
-        folder.give_up_claims(node);
-        throw Interrupted();
-    }
     for (const std::string& remark : picture.remarks) tell(options.common, "warning: " + remark);
     if (picture.sums) folder.leave(node, *picture.sums, picture.by);
+    if (stopped()) folder.give_up_claims(node);
     tell(options.common,
-         fmt::format("{}: made {:.1f} % of the picture", node, share_of(picture.by, ranges.part_count)));
+         fmt::format("{}: made {:.1f} % of the picture{}", node, share_of(picture.by, ranges.part_count),
+                     stopped() ? "; interrupted: that is kept, and what it claimed is open again" : ""));
+    if (stopped()) return exit_codes::interrupted;
     return write_fleet_picture(options, folder, ranges);
 }
 

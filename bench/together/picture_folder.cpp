@@ -47,10 +47,17 @@ std::vector<PartRange> ranges_of(const std::vector<DeviceParts>& by) {
     return joined(std::move(all));
 }
 
-bool holds(const std::vector<PartRange>& ranges, const PartRange& chunk) {
-    return std::any_of(ranges.begin(), ranges.end(), [&](const PartRange& range) {
-        return range.first <= chunk.first && chunk.end <= range.end;
-    });
+/// What of a chunk is in none of the ranges, which are in order.
+std::vector<PartRange> missing_in(const std::vector<PartRange>& ranges, const PartRange& chunk) {
+    std::vector<PartRange> missing;
+    std::uint64_t next = chunk.first;
+    for (const PartRange& range : ranges) {
+        const std::uint64_t until = std::min(range.first, chunk.end);
+        if (until > next) missing.push_back({next, until});
+        next = std::max(next, range.end);
+    }
+    if (next < chunk.end) missing.push_back({next, chunk.end});
+    return missing;
 }
 
 /// "n1\n" of a claim's file, or nothing.
@@ -113,32 +120,40 @@ PictureRanges PictureFolder::join(const PictureRanges& mine, std::size_t nodes,
     return picture_;
 }
 
-/// From the last one on, and once around: others may have given up what they claimed.
 std::optional<PartRange> PictureFolder::claim(const std::string& node) {
-    for (std::size_t tried = 0; tried < chunks_.size(); ++tried) {
+    if (claimed_.empty()) claim_chunk(node);
+    if (claimed_.empty()) return std::nullopt;
+    const PartRange next = claimed_.back();
+    claimed_.pop_back();
+    return next;
+}
+
+/// From the last one on, and once around: others may have given up what they claimed, with some of it made.
+void PictureFolder::claim_chunk(const std::string& node) {
+    for (std::size_t tried = 0; tried < chunks_.size() && claimed_.empty(); ++tried) {
         const std::size_t number = next_++ % chunks_.size();
         std::error_code ignored;
         if (fs::exists(chunk(number), ignored)) continue;
         const std::error_code error = make_new_file(chunk(number), node + "\n");
-        if (!error) return chunks_[number];
-        if (error != std::errc::file_exists)
+        if (!error)
+            claimed_ = missing_in(ranges_of(made()), chunks_[number]);
+        else if (error != std::errc::file_exists)
             throw std::runtime_error(
                 fmt::format("cannot write {}: {}", chunk(number).string(), error.message()));
     }
-    return std::nullopt;
 }
 
 void PictureFolder::give_up_claims(const std::string& node) const {
-    const std::vector<PartRange> kept = ranges_of(made_by(node));
+    const std::vector<PartRange> kept = ranges_of(made());
     for (std::size_t i = 0; i < chunks_.size(); ++i)
-        if (node_in(chunk(i)) == node && !holds(kept, chunks_[i])) fs::remove(chunk(i));
+        if (node_in(chunk(i)) == node && !missing_in(kept, chunks_[i]).empty()) fs::remove(chunk(i));
 }
 
 std::set<std::string> PictureFolder::owing() const {
     const std::vector<PartRange> kept = ranges_of(made());
     std::set<std::string> nodes;
     for (std::size_t i = 0; i < chunks_.size(); ++i)
-        if (!holds(kept, chunks_[i])) nodes.insert(node_in(chunk(i)));
+        if (!missing_in(kept, chunks_[i]).empty()) nodes.insert(node_in(chunk(i)));
     nodes.erase("");
     return nodes;
 }

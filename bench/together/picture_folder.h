@@ -27,10 +27,10 @@ class PictureFolder {
 
     // Once it is joined:
 
-    /// What this node claimed and left no film of is open again. For a process that is alone on its node.
+    /// What this node claimed and left no film of, or of a part, is open again. For a process that is alone on its node.
     void give_up_claims(const std::string& node) const;
     std::filesystem::path lock(const std::string& node) const { return path_ / "films" / (node + ".lock"); }
-    /// The next chunk that nobody claimed, or nothing.
+    /// What is missing of the next chunk that nobody claimed, range by range, or nothing.
     std::optional<PartRange> claim(const std::string& node);
 
     /// Adds to the film that this node left.
@@ -47,13 +47,15 @@ class PictureFolder {
     std::filesystem::path chunk(std::size_t number) const;
     std::filesystem::path ranges(const std::string& node) const { return path_ / "films" / (node + ".json"); }
     std::filesystem::path film(const std::string& node, const std::vector<DeviceParts>& by) const;
+    void claim_chunk(const std::string& node);
     std::vector<DeviceParts> made_by(const std::string& node) const;
     std::vector<std::string> nodes() const;
 
     std::filesystem::path path_;
     PictureRanges picture_;
     std::vector<PartRange> chunks_;
-    std::size_t next_ = 0;  ///< of them, to be tried
+    std::size_t next_ = 0;             ///< of them, to be tried
+    std::vector<PartRange> claimed_;  ///< of one, and not handed out yet
 };
 
 /// A picture cut into chunks: ever smaller ones, so that nodes end together however fast they are, each of

@@ -1,6 +1,7 @@
 #include "bench/worker/icd.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -37,6 +38,21 @@ std::vector<Icd> icds_of_folder(const fs::path& folder) {
     return icds;
 }
 
+const std::string prefix = "ptbench-icd-";
+
+/// Folders whose process is no more. Not before a day has passed: some file systems know no locks.
+void remove_abandoned(const fs::path& temporary) {
+    std::error_code ignored;
+    const auto now = fs::file_time_type::clock::now();
+    for (const auto& entry : fs::directory_iterator(temporary, ignored)) {
+        if (!entry.path().filename().string().starts_with(prefix)) continue;
+        const auto written = entry.last_write_time(ignored);
+        if (ignored || now - written < std::chrono::hours(24)) continue;
+        PathLock lock;
+        if (lock.take_folder(entry.path())) fs::remove_all(entry.path(), ignored);
+    }
+}
+
 }  // namespace
 
 IcdEnvironment icd_environment() { return {variable("OCL_ICD_VENDORS"), variable("OCL_ICD_FILENAMES")}; }
@@ -65,11 +81,13 @@ IcdFolder::IcdFolder(const Icd& icd) {
     std::error_code error;
     const fs::path temporary = fs::temp_directory_path(error);
     if (error) throw UsageError(fmt::format("TMPDIR: found {}, which is no folder", variable("TMPDIR")));
-    std::string pattern = (temporary / "ptbench-icd-XXXXXX").string();
+    remove_abandoned(temporary);
+    std::string pattern = (temporary / (prefix + "XXXXXX")).string();
     if (::mkdtemp(pattern.data()) == nullptr) {
         throw std::runtime_error(fmt::format("cannot create a folder like {}", pattern));
     }
     path_ = pattern;
+    (void)held_.take_folder(path_);  // a new one is nobody else's
     std::ofstream out(path_ / fs::path(icd.file).filename().replace_extension(".icd"));
     if (!(out << icd.library << std::flush)) {
         throw std::runtime_error(fmt::format("cannot write into {}", pattern));

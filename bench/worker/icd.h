@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/file/path_lock.h"
+
 namespace ptb {
 
 /// An installed OpenCL driver: the .icd file that names it, or the library itself (OCL_ICD_FILENAMES).
@@ -32,7 +34,8 @@ std::vector<Icd> find_icds(const IcdEnvironment& environment = icd_environment()
 Icd icd_from_file(const std::string& file);
 
 /// A private folder with one .icd file: with OCL_ICD_VENDORS pointing to it, a loader sees only that driver.
-/// None for `any_icd`. Removed on destruction.
+/// None for `any_icd`. Removed on destruction; where the process was killed, by a later one that makes
+/// another.
 class IcdFolder {
   public:
     explicit IcdFolder(const Icd& icd);
@@ -46,6 +49,7 @@ class IcdFolder {
 
   private:
     std::filesystem::path path_;
+    PathLock held_;
 };
 
 /// Lets this process see only that driver; to be called before OpenCL is.

@@ -251,7 +251,7 @@ std::string engine_options(const Integrator& row, const ocl::Device& device, con
         text +=
             fmt::format(" -DSCENE_LONE_LAMP={}",
                         std::isinf(device_scene.lone_lamp.near_squared) ? SCENE_FREE_LAMP : SCENE_SUNK_LAMP);
-    if (row.joins_paths) text += fmt::format(" -DENGINE_PATH_LENGTH={}", job.path_length);
+    if (row.joins_paths || row.gradients) text += fmt::format(" -DENGINE_PATH_LENGTH={}", job.path_length);
     if (job.variant.roulette == Roulette::albedo) text += " -DENGINE_ROULETTE";
     if (job.variant.film_memory == FilmMemory::image) text += " -DENGINE_IMAGE_FILM";
     if (job.variant.rng == Rng::park_miller) text += " -DPTB_PARK_MILLER";

@@ -127,6 +127,14 @@ const std::vector<Integrator>& integrators() {
          .independent_pixels = false,
          .joins_paths = true,
          .truth = "pt"},
+        {.id = "gpt",
+         .summary =
+             "gradient-domain pt_nee: samples also tell how pixels differ, and a picture is made of both",
+         .machinery = &engine_machinery,
+         .samples_lamps = true,
+         .independent_pixels = false,
+         .gradients = true,
+         .truth = "pt"},
         {.id = "gbdpt",
          .summary =
              "gradient-domain bdpt: samples also tell how pixels differ, and a picture is made of both",

@@ -2,6 +2,11 @@
 #ifndef PTB_BDPT_VERTEX_H
 #define PTB_BDPT_VERTEX_H
 
+/* Ends that paths start from: with 1, the camera, no other strategy makes a path but that of asking a lamp. */
+#ifndef BDPT_ENDS
+#define BDPT_ENDS 2
+#endif
+
 #include "engine/light.h"
 #include "engine/splat.h"
 #include "bdpt/work.h"
@@ -70,6 +75,7 @@ ALWAYS_INLINE Vertex move_to_vertex(Path* path, const Arrival* met, Odds* odds, 
     COUNTED_LANES(alive, BDPT_VERTEX_WORK)
     COUNTED_CENTRES(path->ray, alive)
     vertex.density = met->goes_on * (1.0f / PI);
+    if (BDPT_ENDS == 1) return vertex;
     odds->last = -last / vec_dot(vertex.normal, path->ray.direction);
     vertex.odds = odds->last + odds->earlier * vertex.density;
     return vertex;
@@ -89,11 +95,12 @@ ALWAYS_INLINE lanes_mask bounce(const World* world, Path* path, const Arrival* m
     const lanes_f half_inverse_cosine = scatter(world->scene, &path->ray, &path->inside, &met->hit, &met->surface, &draw COUNTED_ARGUMENT);
     const lanes_mask goes_on = alive & !met->ends & !dies(path, met->goes_on);
     COUNTED_LANES(alive, BDPT_BOUNCE_WORK)
-    COUNTED(scene_refracts(world->scene) ? counted_lanes(alive) : 0u, BDPT_GLASS_WORK(carries))
+    COUNTED(BDPT_ENDS == 2 && scene_refracts(world->scene) ? counted_lanes(alive) : 0u, BDPT_GLASS_WORK(carries))
     const lanes_f inverse_chance = over_chance((lanes_f)(PI), met->goes_on);
-    odds->earlier = lanes_select(odds->earlier, odds->earlier + odds->last * inverse_chance, met->matte);
+    if (BDPT_ENDS == 2)
+        odds->earlier = lanes_select(odds->earlier, odds->earlier + odds->last * inverse_chance, met->matte);
     odds->last = lanes_select((lanes_f)(0.0f), 2.0f * half_inverse_cosine * inverse_chance, met->matte);
-    if (scene_refracts(world->scene)) {
+    if (BDPT_ENDS == 2 && scene_refracts(world->scene)) {
         const lanes_f squeezed = squeezed_by(&met->surface, path, &before);
         odds->earlier = odds->earlier * squeezed;
         if (carries) path->throughput = vec_scale(path->throughput, squeezed);

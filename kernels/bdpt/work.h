@@ -18,12 +18,21 @@
 /* What its first surface knows of the lamp, the density of asking it aside, but no squared distance. */
 #define BDPT_FIRST_WORK (10u - 2u), 0u, 1u, 0u
 /* A vertex but for the way from a sphere's centre, with the squared distance of the way there. */
-#define BDPT_VERTEX_WORK 16u, 0u, 1u, 0u
+#define BDPT_VERTEX_WORK (9u + BDPT_ODDS_FLOPS), 0u, BDPT_ODDS_DIVISIONS, 0u
+#if BDPT_ENDS == 2
+#define BDPT_ODDS_FLOPS 7u
+#define BDPT_ODDS_DIVISIONS 1u
+#define BDPT_EARLIER_FLOPS 2u
+#else
+#define BDPT_ODDS_FLOPS 0u
+#define BDPT_ODDS_DIVISIONS 0u
+#define BDPT_EARLIER_FLOPS 0u
+#endif
 /* The odds after a bounce, and where there is glass. */
 #ifdef ENGINE_ROULETTE
-#define BDPT_BOUNCE_WORK 4u, 0u, 1u, 0u
+#define BDPT_BOUNCE_WORK (2u + BDPT_EARLIER_FLOPS), 0u, 1u, 0u
 #else
-#define BDPT_BOUNCE_WORK 4u, 0u, 0u, 0u
+#define BDPT_BOUNCE_WORK (2u + BDPT_EARLIER_FLOPS), 0u, 0u, 0u
 #endif
 #define BDPT_GLASS_WORK(carries) ((carries) ? 4u : 1u), 0u, 0u, 0u
 

@@ -289,9 +289,12 @@ ALWAYS_INLINE void join_base(const World* world, const Path* path, const Ray* ra
     /* densities of the way there and of all before it, as in Odds */
     const lanes_f inverse_density = 1.0f / lanes_max(offset->vertex.density, (lanes_f)(1e-20f));
     const lanes_f last = inverse_density / cosine, earlier = offset->vertex.odds * inverse_density;
-    const lanes_f at_vertex = -last * squared / vec_dot(view->normal, other.direction) + earlier * view->density;
-    const lanes_f more = (at_vertex - view->odds) / lanes_max(view->density, (lanes_f)(1e-20f));
-    offset->odds = lanes_select(offset->odds, lanes_select((lanes_f)(0.0f), more, seen & met->matte), joins);
+    if (BDPT_ENDS == 2) {
+        COUNTED_LANES(seen, GBDPT_BASE_ODDS_WORK)
+        const lanes_f at_vertex = -last * squared / vec_dot(view->normal, other.direction) + earlier * view->density;
+        const lanes_f more = (at_vertex - view->odds) / lanes_max(view->density, (lanes_f)(1e-20f));
+        offset->odds = lanes_select(offset->odds, lanes_select((lanes_f)(0.0f), more, seen & met->matte), joins);
+    }
 
     if (!lanes_any(shines)) return;
     COUNTED_LANES(shines, GBDPT_BASE_SHINE_WORK)

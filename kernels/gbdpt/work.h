@@ -11,8 +11,8 @@
 #define GBDPT_CHANCE_WORK (GBDPT_REFLECTANCE_FLOPS + 2u), 1u, 2u, 0u
 #define GBDPT_PASS_WORK 6u, 1u, 0u, 0u
 /* A shifted path's step to what it meets, and on from there. */
-#define GBDPT_FOLLOW_WORK (9u + 17u + 5u + 9u + 6u + SCENE_NORMALIZE_FLOPS + 3u + 1u + GBDPT_ROULETTE_FLOPS), SCENE_RSQRT_ROOTS, \
-        (2u + SCENE_RSQRT_DIVISIONS + GBDPT_ROULETTE_DIVISIONS), 0u
+#define GBDPT_FOLLOW_WORK (9u + 10u + BDPT_ODDS_FLOPS + 5u + 9u + 6u + SCENE_NORMALIZE_FLOPS + 3u + 1u + GBDPT_ROULETTE_FLOPS), \
+        SCENE_RSQRT_ROOTS, (1u + BDPT_ODDS_DIVISIONS + SCENE_RSQRT_DIVISIONS + GBDPT_ROULETTE_DIVISIONS), 0u
 #define GBDPT_FIRST_WORK 5u, 0u, 0u, 0u
 #ifdef ENGINE_ROULETTE
 #define GBDPT_ROULETTE_FLOPS 3u
@@ -31,7 +31,8 @@
 #define GBDPT_OFFSET_WORK 10u, 0u, 1u, 0u
 /* A shifted path joined to the base path, */
 #define GBDPT_BASE_WAY_WORK (3u + 3u + 5u + SCENE_RSQRT_FLOPS + 1u + 3u + 16u), SCENE_RSQRT_ROOTS, SCENE_RSQRT_DIVISIONS, 0u
-#define GBDPT_BASE_WORK (5u + 2u + 1u + 3u + 1u + 8u + 1u), 0u, 5u, 0u
+#define GBDPT_BASE_WORK (5u + 2u + 1u + 3u + 1u), 0u, 3u, 0u
+#define GBDPT_BASE_ODDS_WORK (8u + 1u), 0u, 2u, 0u
 #define GBDPT_BASE_SHINE_WORK 8u, 0u, 1u, 0u
 #define GBDPT_BASE_LAMP_WORK 5u, 0u, 1u, 0u
 /* to a vertex of the light path, and to a point of a lamp; */

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import signal
 import unittest
 
@@ -136,6 +137,21 @@ class Together(CliTest):
         with self.on_node("n1") as again:
             said = again.communicate(timeout=60)[1]
         self.assertIn("written: y.pfm", said)
+        self.assertEqual((self.scratch.work / "y.pfm").read_bytes(), alone)
+
+    def test_what_a_node_made_until_it_was_interrupted_is_kept(self):
+        words = ("render", "--size", "64", "--spp", "6000", "--path-length", "6", "-d", "0")
+        alone = self.picture(*words)
+        fleet = (*words, "--fleet", "F", "--expect", "n1", "-o", "y.pfm")
+        process, terminal = self.start_in_terminal(*fleet, SLURMD_NODENAME="n1")
+        terminal.wait_for(r"[1-9]\d* %")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(terminal.end_of(process), 130, terminal.text)
+        made = float(re.search(r"n1: made ([\d.]+) % of the picture; interrupted: that is kept, and", terminal.text)[1])
+        self.assertTrue(0 < made < 100, terminal.text)
+        with self.scratch.start(*fleet, SLURMD_NODENAME="n2") as other:
+            said = other.communicate(timeout=60)[1]
+        self.assertAlmostEqual(float(re.search(r"n2: made ([\d.]+) %", said)[1]), 100 - made, delta=0.11)
         self.assertEqual((self.scratch.work / "y.pfm").read_bytes(), alone)
 
     def test_another_picture_in_the_folder_is_refused(self):

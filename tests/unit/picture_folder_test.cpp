@@ -145,6 +145,26 @@ TEST_F(PictureFolderTest, what_another_gives_up_is_claimed_by_who_passed_it) {
     EXPECT_FALSE(other.claim("n2"));
 }
 
+TEST_F(PictureFolderTest, of_a_chunk_that_is_made_in_part_the_rest_is_claimed) {
+    PictureFolder one(path_), other(path_);
+    std::vector<std::string> differing;
+    one.join(picture(), 1, differing);
+    other.join(picture(), 1, differing);
+    const PartRange first = *one.claim("n1");
+    ASSERT_GE(first.count(), 4u);
+    const PartRange made{first.first + 1, first.end - 1};
+    one.leave("n1", film(5), {{"d:0", "D", "1", {made}}});
+    one.give_up_claims("n1");
+    EXPECT_THAT(one.owing(), testing::IsEmpty());
+    std::vector<PartRange> rest;
+    while (const auto claimed = other.claim("n2")) rest.push_back(*claimed);
+    EXPECT_EQ(joined(rest), (std::vector<PartRange>{{0, made.first}, {made.end, 20}}));
+    other.leave("n2", film(7), {{"d:0", "D", "1", rest}});
+    other.give_up_claims("n1");
+    other.give_up_claims("n2");
+    EXPECT_FALSE(one.claim("n1")) << "all is made";
+}
+
 TEST_F(PictureFolderTest, films_of_another_picture_are_refused_with_both_values) {
     PictureFolder folder(path_);
     std::vector<std::string> differing;

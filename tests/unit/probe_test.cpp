@@ -73,6 +73,21 @@ TEST(icd, a_private_folder_holds_one_icd_and_goes_away) {
     EXPECT_FALSE(fs::exists(path));
 }
 
+TEST(icd, a_folder_that_a_killed_process_left_goes_a_day_later) {
+    const Icd icd{"/opt/x.so", "/opt/x.so"};
+    const IcdFolder held(icd);
+    const fs::path temporary = held.path().parent_path();
+    const fs::path left = temporary / "ptbench-icd-left", fresh = temporary / "ptbench-icd-fresh";
+    for (const fs::path& path : {left, fresh}) fs::create_directory(path);
+    for (const fs::path& path : {left, held.path()})
+        fs::last_write_time(path, fs::last_write_time(path) - std::chrono::hours(25));
+    const IcdFolder another(icd);
+    EXPECT_FALSE(fs::exists(left));
+    EXPECT_TRUE(fs::exists(fresh));
+    EXPECT_TRUE(fs::exists(held.path())) << "its process lives";
+    fs::remove(fresh);
+}
+
 TEST(probe, a_worker_sees_only_its_own_driver) {
     const DeviceList list = probe_fake("");
     ASSERT_EQ(list.devices.size(), 1U);
