@@ -44,7 +44,7 @@ class Readme(CliTest):
             words.append("--dry-run")
         elif words[0].startswith("-") and "--dump-config" not in words:
             words += ["--samples", "3"]
-        result = self.run_ok(*words, POCL_DEVICES="pthread")
+        result = self.run_ok(*words, timeout=300, POCL_DEVICES="pthread")
         if redirected:
             self.scratch.write(redirected[2], result.stdout)
 
