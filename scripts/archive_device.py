@@ -25,9 +25,9 @@ RUNS = {  # share of the time in percent, words, and those of a CPU or a GPU bes
     "speed": (10, "--config speed --peaks --max-time 5", "", "--size 1024"),
     "memory": (5, f"--config memory {SHORT}", "", "--size 1024"),
     "queues": (7, f"--config queues {SHORT}", "", ""),
-    "quality": (12, f"--config quality {SHORT}", "", "--size 1024"),
-    "workgroups": (12, f"--config workgroups {SHORT}", "", "--size 1024"),
-    "ladder": (14, f"--config ladder {SHORT}", "", "--size 1024"),
+    "quality": (10, f"--config quality {SHORT}", "", "--size 1024"),
+    "workgroups": (10, f"--config workgroups {SHORT}", "", "--size 1024"),
+    "ladder": (18, f"--config ladder {SHORT}", "", "--size 1024"),
     "meshes": (8, f"{MESHES} {SHORT}", "--size 128", "--size 1024"),
     "rays": (6, f"--config rays {SHORT}", "", "--size 2048"),
 }

@@ -1,6 +1,7 @@
 #include "bench/cli/render_together.h"
 
 #include <algorithm>
+#include <exception>
 #include <memory>
 #include <set>
 
@@ -252,15 +253,27 @@ int render_in_fleet(const Options& options, const Case& params, const std::vecto
                                   stopped, folder, nodes_told(flags).size(), ranges);
     folder.give_up_claims(node);
     const ShareDone share(options.common.quiet);
+    std::exception_ptr folder_failed;  // what was made by then is left all the same
+    const auto claim = [&]() -> std::optional<PartRange> {
+        try {
+            return folder.claim(node);
+        } catch (...) {
+            folder_failed = std::current_exception();
+            return std::nullopt;
+        }
+    };
     const SharedPicture picture = crew->make(
-        {}, [&](double done) { share.show(done); }, [&] { return folder.claim(node); });
+        {}, [&](double done) { share.show(done); }, claim);
     for (const std::string& remark : picture.remarks) tell(options.common, "warning: " + remark);
     if (picture.sums) folder.leave(node, *picture.sums, picture.by);
-    if (stopped()) folder.give_up_claims(node);
+    const bool interrupted = stopped();
+    if (interrupted || folder_failed) folder.give_up_claims(node);
+    if (folder_failed) std::rethrow_exception(folder_failed);
     tell(options.common,
-         fmt::format("{}: made {:.1f} % of the picture{}", node, share_of(picture.by, ranges.part_count),
-                     stopped() ? "; interrupted: that is kept, and what it claimed is open again" : ""));
-    if (stopped()) return exit_codes::interrupted;
+         fmt::format(
+             "{}: made {:.1f} % of the picture{}", node, share_of(picture.by, ranges.part_count),
+             interrupted ? "; interrupted: what is made is kept, and what it claimed is open again" : ""));
+    if (interrupted) return exit_codes::interrupted;
     return write_fleet_picture(options, folder, ranges);
 }
 

@@ -26,7 +26,7 @@ struct Work {
     std::uint64_t device_bytes = 0;  ///< device memory asked for
     std::optional<double> overlap;   ///< out of order: share of the launches' times that ran beside another's
     std::string film_hash{};         ///< of the timed film's bits: equal devices give equal ones
-    std::uint64_t light_segments = 0;  ///< beside them too, of paths that start at lamps
+    std::uint64_t light_segments = 0;  ///< beside them too, of paths that start at lamps or are shifted
     std::uint64_t listed_rays = 0;     ///< of the segments those that are rays of a list, and no path's
     bool operator==(const Work&) const = default;
 };

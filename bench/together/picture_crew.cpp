@@ -14,6 +14,8 @@
 #include "bench/together/hand_out.h"
 #include "bench/together/nameless_file.h"
 #include "bench/worker/film_file.h"
+#include "core/input/usage_error.h"
+#include "core/integrator/registry.h"
 
 namespace ptb {
 namespace {
@@ -68,6 +70,8 @@ struct PictureCrew::Impl {
 
     Impl(const SharedJob& its_job, const OpenChannel& open, Stopped is_stopped)
         : job(its_job), stopped(std::move(is_stopped)), cut(its_job.cut) {
+        if (const std::string reason = integrator(job.params.kernel).parts_refusal(); !reason.empty())
+            throw UsageError(reason);
         const OpenChannel alone = one_at_a_time(open);
         for (const DeviceInfo& device : job.devices)
             members.push_back(std::make_unique<CrewMember>(device, alone, job.measure));

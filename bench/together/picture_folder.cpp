@@ -1,6 +1,7 @@
 #include "bench/together/picture_folder.h"
 
 #include <algorithm>
+#include <fstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -120,6 +121,13 @@ PictureRanges PictureFolder::join(const PictureRanges& mine, std::size_t nodes,
     return picture_;
 }
 
+/// Network file systems show a folder as it was a while ago, until one changes it oneself.
+std::vector<DeviceParts> PictureFolder::made_by_now(const std::string& node) const {
+    const FileBeside change(ranges(node));
+    std::ofstream(change.path());
+    return made();
+}
+
 std::optional<PartRange> PictureFolder::claim(const std::string& node) {
     if (claimed_.empty()) claim_chunk(node);
     if (claimed_.empty()) return std::nullopt;
@@ -136,7 +144,7 @@ void PictureFolder::claim_chunk(const std::string& node) {
         if (fs::exists(chunk(number), ignored)) continue;
         const std::error_code error = make_new_file(chunk(number), node + "\n");
         if (!error)
-            claimed_ = missing_in(ranges_of(made()), chunks_[number]);
+            claimed_ = missing_in(ranges_of(made_by_now(node)), chunks_[number]);
         else if (error != std::errc::file_exists)
             throw std::runtime_error(
                 fmt::format("cannot write {}: {}", chunk(number).string(), error.message()));

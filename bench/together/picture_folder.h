@@ -27,7 +27,8 @@ class PictureFolder {
 
     // Once it is joined:
 
-    /// What this node claimed and left no film of, or of a part, is open again. For a process that is alone on its node.
+    /// What this node claimed and left no film of, or of a part, is open again. For a process that is alone
+    /// on its node.
     void give_up_claims(const std::string& node) const;
     std::filesystem::path lock(const std::string& node) const { return path_ / "films" / (node + ".lock"); }
     /// What is missing of the next chunk that nobody claimed, range by range, or nothing.
@@ -49,12 +50,13 @@ class PictureFolder {
     std::filesystem::path film(const std::string& node, const std::vector<DeviceParts>& by) const;
     void claim_chunk(const std::string& node);
     std::vector<DeviceParts> made_by(const std::string& node) const;
+    std::vector<DeviceParts> made_by_now(const std::string& node) const;
     std::vector<std::string> nodes() const;
 
     std::filesystem::path path_;
     PictureRanges picture_;
     std::vector<PartRange> chunks_;
-    std::size_t next_ = 0;             ///< of them, to be tried
+    std::size_t next_ = 0;            ///< of them, to be tried
     std::vector<PartRange> claimed_;  ///< of one, and not handed out yet
 };
 

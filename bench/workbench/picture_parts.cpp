@@ -1,7 +1,5 @@
 #include "bench/workbench/picture_parts.h"
 
-#include <fmt/format.h>
-
 #include "bench/measure/clock.h"
 #include "bench/workbench/outcome.h"
 
@@ -9,11 +7,8 @@ namespace ptb {
 namespace {
 
 std::unique_ptr<PartRender> make_parts(Builds& builds, const CaseJob& job) {
-    if (job.kernel->has_parts()) return builds.make_parts(job);
-    throw Unsupported(
-        fmt::format("kernel {}: several devices cannot share its pictures, since a pixel's samples follow "
-                    "from each other",
-                    job.params.kernel));
+    if (const std::string reason = job.kernel->parts_refusal(); !reason.empty()) throw Unsupported(reason);
+    return builds.make_parts(job);
 }
 
 }  // namespace

@@ -38,18 +38,20 @@ std::vector<Icd> icds_of_folder(const fs::path& folder) {
     return icds;
 }
 
-const std::string prefix = "ptbench-icd-";
+constexpr const char* prefix = "ptbench-icd-";
+constexpr const char* lock_name = "lock";  ///< held by the folder's process
 
 /// Folders whose process is no more. Not before a day has passed: some file systems know no locks.
 void remove_abandoned(const fs::path& temporary) {
-    std::error_code ignored;
+    std::error_code error;
     const auto now = fs::file_time_type::clock::now();
-    for (const auto& entry : fs::directory_iterator(temporary, ignored)) {
-        if (!entry.path().filename().string().starts_with(prefix)) continue;
-        const auto written = entry.last_write_time(ignored);
-        if (ignored || now - written < std::chrono::hours(24)) continue;
+    for (fs::directory_iterator at(temporary, error), end; !error && at != end; at.increment(error)) {
+        if (!at->path().filename().string().starts_with(prefix)) continue;
+        std::error_code gone;
+        const auto written = at->last_write_time(gone);
+        if (gone || now - written < std::chrono::hours(24)) continue;
         PathLock lock;
-        if (lock.take_folder(entry.path())) fs::remove_all(entry.path(), ignored);
+        if (lock.take_file(at->path() / lock_name)) fs::remove_all(at->path(), gone);
     }
 }
 
@@ -82,12 +84,12 @@ IcdFolder::IcdFolder(const Icd& icd) {
     const fs::path temporary = fs::temp_directory_path(error);
     if (error) throw UsageError(fmt::format("TMPDIR: found {}, which is no folder", variable("TMPDIR")));
     remove_abandoned(temporary);
-    std::string pattern = (temporary / (prefix + "XXXXXX")).string();
+    std::string pattern = (temporary / fmt::format("{}XXXXXX", prefix)).string();
     if (::mkdtemp(pattern.data()) == nullptr) {
         throw std::runtime_error(fmt::format("cannot create a folder like {}", pattern));
     }
     path_ = pattern;
-    (void)held_.take_folder(path_);  // a new one is nobody else's
+    (void)held_.take_file(path_ / lock_name);  // a new folder is nobody else's
     std::ofstream out(path_ / fs::path(icd.file).filename().replace_extension(".icd"));
     if (!(out << icd.library << std::flush)) {
         throw std::runtime_error(fmt::format("cannot write into {}", pattern));

@@ -261,7 +261,10 @@ std::string engine_options(const Integrator& row, const ocl::Device& device, con
 
 int most_rays(const Integrator& row, int path_length) {
     const int joined = std::min(path_length, longest_joined);
-    return !row.joins_paths ? path_length : joined * (joined + 5) / 2;
+    const int rays = !row.joins_paths ? path_length : joined * (joined + 5) / 2;
+    // Of each of four neighbours: the way along the path, what is asked and joined at its first matte vertex
+    // and the one after that, and what is met and seen of each vertex that is shown.
+    return !row.gradients ? rays : rays + 4 * (4 * path_length + 2);
 }
 
 bool is_throughput_device(const ocl::Device& device) { return device.info.type != "CPU"; }

@@ -156,6 +156,14 @@ const std::vector<Integrator>& integrators() {
     return all;
 }
 
+std::string Integrator::parts_refusal() const {
+    if (has_parts()) return "";
+    return fmt::format("kernel {}: several devices cannot share its pictures, since {}", id,
+                       gradients    ? "they are made of all differences between pixels"
+                       : lists_rays ? "they are of lists of rays"
+                                    : "a pixel's samples follow from each other");
+}
+
 std::vector<std::string> integrator_ids() {
     std::vector<std::string> ids;
     for (const Integrator& row : integrators()) ids.push_back(row.id);

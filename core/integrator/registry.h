@@ -42,7 +42,8 @@ struct Integrator {
     bool only_asks = false;          ///< finds no light at matte surfaces that it cannot ask for
     bool counts_full_length = true;  ///< its film counts samples and full-length paths
 
-    /// No path adds to two pixels, so that the error of one follows from the variance of its own samples.
+    /// No path adds to two pixels, nor is a picture made of differences: the error of a pixel follows from
+    /// the variance of its own samples.
     bool independent_pixels = true;
     bool joins_paths = false;  ///< joins all vertices of two paths, which it keeps for that
     bool gradients = false;    ///< its samples tell how pixels differ from their neighbours, too
@@ -67,6 +68,8 @@ struct Integrator {
     }
     /// Whether several devices may make one image.
     bool has_parts() const { return machinery->make_parts != nullptr && !gradients; }
+    /// Why they may not, or nothing.
+    std::string parts_refusal() const;
     std::unique_ptr<PartRender> make_parts(const ocl::Device& device, const ocl::Program& program,
                                            const Scene& scene, const RenderJob& job) const {
         return machinery->make_parts(*this, device, program, scene, job);

@@ -22,7 +22,7 @@ struct FilmSums {
     FilmScale scale;
     bool has_variance = false;         ///< the samples of a pixel are its own
     std::vector<FilmPixel> pixels{};   ///< in rows from the top
-    std::uint64_t light_segments = 0;  ///< of paths that start at lamps
+    std::uint64_t light_segments = 0;  ///< of paths that start at lamps or are shifted
 };
 
 /// Adds the sums of other parts of the same image. Throws std::invalid_argument where they are of another.

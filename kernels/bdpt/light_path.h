@@ -4,10 +4,7 @@
 
 #include "bdpt/lamp.h"
 
-/* Most segments of a path; a light path has one less. */
-#ifndef ENGINE_PATH_LENGTH
-#define ENGINE_PATH_LENGTH 8
-#endif
+/* A light path has a segment less than a path. */
 #define LIGHT_SEGMENTS (ENGINE_PATH_LENGTH - 1)
 #define LIGHT_VERTICES (LIGHT_SEGMENTS > 0 ? LIGHT_SEGMENTS : 1)
 

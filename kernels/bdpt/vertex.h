@@ -7,6 +7,11 @@
 #define BDPT_ENDS 2
 #endif
 
+/* Most segments of a path. */
+#ifndef ENGINE_PATH_LENGTH
+#define ENGINE_PATH_LENGTH 8
+#endif
+
 #include "engine/light.h"
 #include "engine/splat.h"
 #include "bdpt/work.h"

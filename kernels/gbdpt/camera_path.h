@@ -4,10 +4,6 @@
 
 #include "gbdpt/joins.h"
 
-#ifndef ENGINE_PATH_LENGTH
-#define ENGINE_PATH_LENGTH 8
-#endif
-
 /* Traces a path from the camera, and those shifted from it, and joins their vertices to the light path's; returns the lanes where it
    is of full length. */
 ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* picture, Path* path, lanes_mask alive,

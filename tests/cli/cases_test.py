@@ -42,11 +42,11 @@ class Limits(CliTest):
 
 class Kernels(CliTest):
     def test_shadow_rays_are_counted_beside_segments(self):
-        for kernel, asks_lamps, leaves_lamps in (("pt", False, False), ("pt_nee", True, False), ("pt_lt", True, True), ("bdpt", True, True)):
+        for kernel, asks_lamps, has_others in (("pt", False, False), ("pt_nee", True, False), ("pt_lt", True, True), ("bdpt", True, True), ("gpt", True, True)):
             record = self.only_case(*changed(ONE, kernel=kernel, path_length=3))
             work, statistics = record["work"], record["statistics"]
             self.assertEqual(work["shadow_rays"] > 0, asks_lamps)
-            self.assertEqual(work["light_segments"] > 0, leaves_lamps)
+            self.assertEqual(work["light_segments"] > 0, has_others)
             if asks_lamps:
                 rays = work["segments"] + work["shadow_rays"] + work["light_segments"]
                 rays_a_segment = rays / work["segments"]

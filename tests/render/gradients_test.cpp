@@ -225,6 +225,9 @@ TEST(Gradients, agree_with_differences_of_their_own_picture) {
              Trial{"gbdpt", "path length 1", shipped_scene("thesis"), job_of(1)},
              Trial{"gbdpt", "path length 2", shipped_scene("thesis"), job_of(2)},
              Trial{"gbdpt", "path length 3", shipped_scene("thesis"), job_of(3)},
+             Trial{"gpt", "camera in glass", camera_in_glass(), job_of(6)},
+             Trial{"gpt", "path length 1", shipped_scene("thesis"), job_of(1)},
+             Trial{"gpt", "path length 2", shipped_scene("thesis"), job_of(2)},
              Trial{"gpt", "lamps that scatter, glass in glass", nested_glass(), job_of(6)},
              Trial{"gpt", "many lamps, roulette", shipped_scene("lamps"), job_of(4, Roulette::albedo)},
          }) {

@@ -29,9 +29,9 @@ void on_everything(Body&& body) {
     on_every_device([&](const ocl::Device& device) {
         for (const Integrator& row : integrators()) {
             if (!row.spheres) continue;
-            const bool all = row.id == "pt" && first, usual = row.id == "pt" || first;
-            const std::vector<int> some{usual ? default_lanes(row, device.info) : 1};
-            for (const int lanes : all ? row.lanes : some) {
+            const bool is_pt = row.id == "pt";
+            const std::vector<int> one{is_pt || first ? default_lanes(row, device.info) : 1};
+            for (const int lanes : is_pt&& first ? row.lanes : one) {
                 SCOPED_TRACE(fmt::format("{}, lanes {}", row.id, lanes));
                 body(device, row, lanes);
             }

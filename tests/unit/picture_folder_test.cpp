@@ -165,6 +165,22 @@ TEST_F(PictureFolderTest, of_a_chunk_that_is_made_in_part_the_rest_is_claimed) {
     EXPECT_FALSE(one.claim("n1")) << "all is made";
 }
 
+TEST_F(PictureFolderTest, a_node_that_comes_again_adds_the_rest_of_its_own_chunk) {
+    PictureFolder folder(path_);
+    std::vector<std::string> differing;
+    folder.join(picture(), 1, differing);
+    const PartRange first = *folder.claim("n1");
+    folder.leave("n1", film(5), {{"d:0", "D", "1", {{first.first, first.end - 1}}}});
+    PictureFolder again(path_);
+    again.join(picture(), 1, differing);
+    again.give_up_claims("n1");
+    const PartRange rest{first.end - 1, first.end};
+    EXPECT_EQ(again.claim("n1"), rest);
+    again.leave("n1", film(7), {{"d:0", "D", "1", {rest}}});
+    EXPECT_EQ(parts_made(again.made()), first.count());
+    EXPECT_EQ(again.merged().pixels[0].radiance[0], 12);
+}
+
 TEST_F(PictureFolderTest, films_of_another_picture_are_refused_with_both_values) {
     PictureFolder folder(path_);
     std::vector<std::string> differing;
