@@ -17,48 +17,86 @@ ALWAYS_INLINE lanes_mask sees_from(const World* world, const Vertex* vertex, Vec
     return wanted & sees(world->scene, &shadow, &vertex->inside, distance, face COUNTED_ARGUMENT);
 }
 
+/* The straight way from a vertex to a point of light, by its cosines at both. */
+typedef struct Way {
+    Vec direction;
+    lanes_f squared, inverse; /* of its length */
+    lanes_f cosine, of_light;
+} Way;
+
+ALWAYS_INLINE Way way_to(const Vertex* vertex, Vec point, Vec normal) {
+    const Vec between = vec_sub(point, vertex->position);
+    Way way;
+    way.squared = vec_dot(between, between);
+    way.inverse = lanes_rsqrt(way.squared);
+    way.direction = vec_scale(between, way.inverse);
+    way.cosine = vec_dot(vertex->normal, way.direction);
+    way.of_light = -vec_dot(normal, way.direction);
+    return way;
+}
+
+/* The lanes where both ends face each other, on the same side of all surfaces. */
+static inline lanes_mask way_faces(const Way* way, const Sides* inside, const Sides* of_light) {
+    return (way->cosine > 0.0f) & (way->of_light > 0.0f) & !sides_differ(inside, of_light);
+}
+
+/* The cosines over the squared distance. */
+static inline lanes_f way_geometry(const Way* way) { return way->cosine * way->of_light * way->inverse * way->inverse; }
+
 /* Adds what a vertex of the light path sends by way of one of the camera's. With the geometry g, the cosines over the squared
    distance, the sum is worth g and weighs 1 / (1 + g k), k being the odds of all other strategies. */
 ALWAYS_INLINE void join(const World* world, Path* path, const Vertex* view, const Vertex* light, Traced* traced COUNTED_PARAMETER) {
     const lanes_mask joins = view->joins & light->joins;
     if (!lanes_any(joins)) return;
-    const Vec way = vec_sub(light->position, view->position);
-    const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared);
-    const Vec direction = vec_scale(way, inverse);
-    const lanes_f cosine = vec_dot(view->normal, direction), of_light = -vec_dot(light->normal, direction);
+    const Way way = way_to(view, light->position, light->normal);
     COUNTED_LANES(joins, BDPT_WAY_WORK)
-    const lanes_mask wanted = joins & (cosine > 0.0f) & (of_light > 0.0f) &
-                              !sides_differ(&view->inside, &light->inside);
+    const lanes_mask wanted = joins & way_faces(&way, &view->inside, &light->inside);
     if (!lanes_any(wanted)) return;
     COUNTED_LANES(wanted, BDPT_JOIN_WORK)
-    const lanes_f g = cosine * of_light * inverse * inverse;
+    const lanes_f g = way_geometry(&way);
     const lanes_f share = g / (1.0f + g * (view->density * light->odds + light->density * view->odds));
     const lanes_mask seen =
-        sees_from(world, view, direction, squared * inverse, light->face, wanted, traced COUNTED_ARGUMENT);
+        sees_from(world, view, way.direction, way.squared * way.inverse, light->face, wanted, traced COUNTED_ARGUMENT);
     const Vec sent = vec_mul(light->weight, view->weight);
     path->radiance = vec_select(path->radiance, vec_add_scaled(path->radiance, sent, share), seen);
+}
+
+/* The straight way from a vertex of a light path to the camera. */
+typedef struct WayToCamera {
+    Vec direction, from_camera;
+    lanes_f squared, inverse; /* of its length */
+    lanes_f cosine, of_light; /* at the camera and at the vertex */
+    lanes_u pixel;
+    lanes_mask wanted; /* where the picture shows it */
+} WayToCamera;
+
+ALWAYS_INLINE WayToCamera way_to_camera(const Picture* picture, const Vertex* light, const Sides* of_camera COUNTED_PARAMETER) {
+    const Vec between = vec_sub(vec_of(picture->camera), light->position);
+    WayToCamera way;
+    way.squared = vec_dot(between, between);
+    way.inverse = lanes_rsqrt(way.squared);
+    way.direction = vec_scale(between, way.inverse);
+    way.from_camera = vec_scale(way.direction, (lanes_f)(-1.0f));
+    way.of_light = vec_dot(light->normal, way.direction);
+    way.cosine = vec_dot(way.from_camera, vec_of(picture->frame.axis_area));
+    COUNTED_LANES(light->joins, BDPT_PIXEL_WORK)
+    const lanes_mask within = pixel_of(picture, way.from_camera, way.cosine, &way.pixel);
+    way.wanted = light->joins & within & (way.of_light > 0.0f) & !sides_differ(&light->inside, of_camera);
+    return way;
 }
 
 /* Adds what a vertex of the light path sends to the camera itself, where the picture shows it. */
 ALWAYS_INLINE void show(const World* world, const Picture* picture, const Vertex* light, const Sides* of_camera,
                         Traced* traced COUNTED_PARAMETER) {
     if (!lanes_any(light->joins)) return;
-    const Vec way = vec_sub(vec_of(picture->camera), light->position);
-    const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared);
-    const Vec direction = vec_scale(way, inverse), from_camera = vec_scale(direction, (lanes_f)(-1.0f));
-    const lanes_f of_light = vec_dot(light->normal, direction), cosine = vec_dot(from_camera, vec_of(picture->frame.axis_area));
-    COUNTED_LANES(light->joins, BDPT_PIXEL_WORK)
-    lanes_u pixel;
-    const lanes_mask within = pixel_of(picture, from_camera, cosine, &pixel);
-    const lanes_mask wanted =
-        light->joins & within & (of_light > 0.0f) & !sides_differ(&light->inside, of_camera);
-    if (!lanes_any(wanted)) return;
-    COUNTED_LANES(wanted, BDPT_SHOW_WORK)
-    const lanes_f g = of_light * inverse * inverse;
-    const lanes_f share = g / (inverse_of_picture(picture, cosine) + g * light->odds);
-    const lanes_mask seen =
-        sees_from(world, light, direction, squared * inverse, (lanes_u)(SEES_POINT), wanted, traced COUNTED_ARGUMENT);
-    splat(picture, pixel, vec_scale(light->weight, share), seen COUNTED_ARGUMENT);
+    const WayToCamera way = way_to_camera(picture, light, of_camera COUNTED_ARGUMENT);
+    if (!lanes_any(way.wanted)) return;
+    COUNTED_LANES(way.wanted, BDPT_SHOW_WORK)
+    const lanes_f g = way.of_light * way.inverse * way.inverse;
+    const lanes_f share = g / (inverse_of_picture(picture, way.cosine) + g * light->odds);
+    const lanes_mask seen = sees_from(world, light, way.direction, way.squared * way.inverse, (lanes_u)(SEES_POINT),
+                                      way.wanted, traced COUNTED_ARGUMENT);
+    splat(picture, way.pixel, vec_scale(light->weight, share), seen COUNTED_ARGUMENT);
 }
 
 /* Adds the light of a lamp that a vertex of the camera's path asks for it. */

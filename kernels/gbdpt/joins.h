@@ -15,16 +15,12 @@ ALWAYS_INLINE void join_first(const World* world, Offset* offset, Vec* toward, c
     }
     COUNTED_LANES(counts & offset->follows, GBDPT_WAY_WORK)
     const Vertex* view = &offset->vertex;
-    const Vec way = vec_sub(light->position, view->position);
-    const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared);
-    const Vec direction = vec_scale(way, inverse);
-    const lanes_f cosine = vec_dot(view->normal, direction), of_light = -vec_dot(light->normal, direction);
-    const lanes_mask wanted = counts & offset->follows & (cosine > 0.0f) & (of_light > 0.0f) &
-                              !sides_differ(&view->inside, &light->inside);
+    const Way way = way_to(view, light->position, light->normal);
+    const lanes_mask wanted = counts & offset->follows & way_faces(&way, &view->inside, &light->inside);
     lanes_mask seen = lanes_none();
     if (lanes_any(wanted)) {
         COUNTED_LANES(wanted, GBDPT_DISTANCE_WORK)
-        seen = sees_from(world, view, direction, squared * inverse, light->face, wanted, traced COUNTED_ARGUMENT);
+        seen = sees_from(world, view, way.direction, way.squared * way.inverse, light->face, wanted, traced COUNTED_ARGUMENT);
     }
     if (!lanes_any(seen)) {
         add_difference(toward, own, sum, nothing, (lanes_f)(0.0f), counts COUNTED_ARGUMENT);
@@ -32,7 +28,7 @@ ALWAYS_INLINE void join_first(const World* world, Offset* offset, Vec* toward, c
     }
     COUNTED_LANES(seen, GBDPT_JOIN_WORK)
     const lanes_f likelihood = lanes_select((lanes_f)(0.0f), offset->likelihood, seen);
-    const lanes_f g = cosine * of_light * inverse * inverse;
+    const lanes_f g = way_geometry(&way);
     const Vec other = vec_scale(vec_mul(light->weight, view->weight), g * likelihood);
     const lanes_f other_sum = likelihood * (1.0f + g * (view->density * light->odds + light->density * view->odds));
     add_difference(toward, own, sum, vec_select(nothing, other, seen), lanes_select((lanes_f)(0.0f), other_sum, seen),
@@ -44,18 +40,15 @@ ALWAYS_INLINE void join_shifted(const World* world, Path* path, const Vertex* vi
                                 Gradients* gradients, lanes_mask first, Traced* traced COUNTED_PARAMETER) {
     const lanes_mask joins = view->joins & light->joins;
     if (!lanes_any(joins)) return;
-    const Vec way = vec_sub(light->position, view->position);
-    const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared);
-    const Vec direction = vec_scale(way, inverse);
-    const lanes_f cosine = vec_dot(view->normal, direction), of_light = -vec_dot(light->normal, direction);
+    const Way way = way_to(view, light->position, light->normal);
     COUNTED_LANES(joins, BDPT_WAY_WORK)
-    const lanes_mask wanted = joins & (cosine > 0.0f) & (of_light > 0.0f) & !sides_differ(&view->inside, &light->inside);
+    const lanes_mask wanted = joins & way_faces(&way, &view->inside, &light->inside);
     if (!lanes_any(wanted)) return;
     COUNTED_LANES(wanted, GBDPT_OWN_JOIN_WORK)
-    const lanes_f g = cosine * of_light * inverse * inverse;
+    const lanes_f g = way_geometry(&way);
     const lanes_f sum = 1.0f + g * (view->density * light->odds + light->density * view->odds);
     const lanes_mask seen =
-        sees_from(world, view, direction, squared * inverse, light->face, wanted, traced COUNTED_ARGUMENT);
+        sees_from(world, view, way.direction, way.squared * way.inverse, light->face, wanted, traced COUNTED_ARGUMENT);
     const Vec sent = vec_scale(vec_mul(light->weight, view->weight), g);
     add_shared(base, offsets, sent, sum, g * light->density * view->density, seen & !first COUNTED_ARGUMENT);
     const lanes_mask own = seen & first;

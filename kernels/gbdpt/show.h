@@ -76,20 +76,16 @@ ALWAYS_INLINE void show_offset(const World* world, const Picture* picture, lanes
     const lanes_f away = hit_distance(&met.hit);
     const Vec to_camera = vec_scale(shifted.ray.direction, (lanes_f)(-1.0f));
     const Vertex view = move_there(&shifted, &met, there);
-    const Vec way = vec_sub(previous->position, view.position);
-    const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared);
-    const Vec direction = vec_scale(way, inverse);
-    const lanes_f cosine = vec_dot(view.normal, direction), of_light = -vec_dot(previous->normal, direction);
-    const lanes_mask wanted = there & met.matte & previous->joins & (cosine > 0.0f) & (of_light > 0.0f) &
-                              !sides_differ(&view.inside, &previous->inside);
+    const Way way = way_to(&view, previous->position, previous->normal);
+    const lanes_mask wanted = there & met.matte & previous->joins & way_faces(&way, &view.inside, &previous->inside);
     Vec other = vec_of((float4)(0.0f));
     lanes_f other_sum = (lanes_f)(0.0f);
     if (lanes_any(wanted)) {
-        const lanes_f distance = squared * inverse;
+        const lanes_f distance = way.squared * way.inverse;
         const lanes_mask seen =
-            sees_from(world, &view, direction, distance, previous->face, wanted, traced COUNTED_ARGUMENT);
+            sees_from(world, &view, way.direction, distance, previous->face, wanted, traced COUNTED_ARGUMENT);
         COUNTED_LANES(wanted, GBDPT_VIEW_WEIGHT_WORK)
-        const lanes_f g = cosine * of_light * inverse * inverse, ratio = g / geometry;
+        const lanes_f g = way_geometry(&way), ratio = g / geometry;
         /* the geometry of the way to the camera, over the density of its direction in the picture */
         const lanes_f g_camera = vec_dot(view.normal, to_camera) / (away * away * inverse_of_picture(picture, from_axis));
         lanes_f last;
@@ -98,9 +94,9 @@ ALWAYS_INLINE void show_offset(const World* world, const Picture* picture, lanes
             const Lamp lamp = lamp_of(&world->lamps, previous->number);
             Ray back;
             back.origin = view.position;
-            back.direction = direction;
+            back.direction = way.direction;
             const Density density = density_of_way(&lamp, &back, distance, wanted COUNTED_ARGUMENT);
-            last = previous->earlier * density.part / (density.whole * cosine);
+            last = previous->earlier * density.part / (density.whole * way.cosine);
         } else {
             COUNTED_LANES(wanted, GBDPT_VIEW_VERTEX_WORK)
             last = previous->last / g;
@@ -117,30 +113,24 @@ ALWAYS_INLINE void show_offset(const World* world, const Picture* picture, lanes
 /* Adds what a vertex of the light path sends to the camera itself, where the picture shows it; see bdpt/join.h. */
 ALWAYS_INLINE void show_shifted(const World* world, const Picture* picture, lanes_u half_of_samples, const Vertex* light,
                                 const Previous* previous, const Sides* of_camera, Traced* traced COUNTED_PARAMETER) {
-    const Vec way = vec_sub(vec_of(picture->camera), light->position);
-    const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared);
-    const Vec direction = vec_scale(way, inverse), from_camera = vec_scale(direction, (lanes_f)(-1.0f));
-    const lanes_f of_light = vec_dot(light->normal, direction), cosine = vec_dot(from_camera, vec_of(picture->frame.axis_area));
-    COUNTED_LANES(light->joins, BDPT_PIXEL_WORK)
-    lanes_u pixel;
-    const lanes_mask within = pixel_of(picture, from_camera, cosine, &pixel);
-    const lanes_mask wanted = light->joins & within & (of_light > 0.0f) & !sides_differ(&light->inside, of_camera);
-    if (!lanes_any(wanted)) return;
-    COUNTED_LANES(wanted, GBDPT_SHOW_WORK)
-    const lanes_f g = of_light * inverse * inverse, shown = g / inverse_of_picture(picture, cosine);
+    const WayToCamera way = way_to_camera(picture, light, of_camera COUNTED_ARGUMENT);
+    if (!lanes_any(way.wanted)) return;
+    COUNTED_LANES(way.wanted, GBDPT_SHOW_WORK)
+    const lanes_f g = way.of_light * way.inverse * way.inverse;
+    const lanes_f shown = g / inverse_of_picture(picture, way.cosine);
     const lanes_f sum = 1.0f + shown * light->odds;
     const lanes_mask seen =
-        sees_from(world, light, direction, squared * inverse, (lanes_u)(SEES_POINT), wanted, traced COUNTED_ARGUMENT);
+        sees_from(world, light, way.direction, way.squared * way.inverse, (lanes_u)(SEES_POINT), way.wanted, traced COUNTED_ARGUMENT);
     if (!lanes_any(seen)) return;
     COUNTED_LANES(seen, GBDPT_SHOWN_WORK)
     COUNTED_LANES(seen, GBDPT_GEOMETRY_WORK)
     const Vec own = vec_scale(light->weight, shown), added = vec_scale(own, 1.0f / sum);
-    const lanes_u place = pixel + half_of_samples;
+    const lanes_u place = way.pixel + half_of_samples;
     add_to_gradients(picture, 0u, place, added, squared_mean(added), seen COUNTED_ARGUMENT);
 
     Path camera;
     camera.ray.origin = vec_of(picture->camera);
-    camera.ray.direction = from_camera;
+    camera.ray.direction = way.from_camera;
     camera.inside = *of_camera;
     const Vec back = vec_sub(previous->position, light->position);
     const lanes_f back_squared = vec_dot(back, back), back_inverse = lanes_rsqrt(back_squared);
@@ -148,7 +138,7 @@ ALWAYS_INLINE void show_shifted(const World* world, const Picture* picture, lane
                                   back_inverse * back_inverse;
 #pragma unroll 1
     for (uint i = 0; i < NEIGHBOURS; ++i)
-        show_offset(world, picture, place, i, previous, &camera, cosine, own, sum, shown, base_geometry, seen,
+        show_offset(world, picture, place, i, previous, &camera, way.cosine, own, sum, shown, base_geometry, seen,
                     traced COUNTED_ARGUMENT);
 }
 

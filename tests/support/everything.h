@@ -31,7 +31,8 @@ void on_everything(Body&& body) {
             if (!row.spheres) continue;
             const bool is_pt = row.id == "pt";
             const std::vector<int> one{is_pt || first ? default_lanes(row, device.info) : 1};
-            for (const int lanes : is_pt&& first ? row.lanes : one) {
+            const std::vector<int>& widths = first && is_pt ? row.lanes : one;
+            for (const int lanes : widths) {
                 SCOPED_TRACE(fmt::format("{}, lanes {}", row.id, lanes));
                 body(device, row, lanes);
             }

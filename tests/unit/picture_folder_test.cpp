@@ -39,6 +39,14 @@ class PictureFolderTest : public testing::Test {
     PictureFolderTest() { fs::remove_all(path_); }
     ~PictureFolderTest() override { fs::remove_all(path_); }
 
+    /// As a process of one of so many nodes has it.
+    PictureFolder folder_for(std::size_t nodes) const {
+        PictureFolder folder(path_);
+        std::vector<std::string> differing;
+        folder.join(picture(), nodes, differing);
+        EXPECT_THAT(differing, testing::IsEmpty());
+        return folder;
+    }
     std::vector<std::string> films() const {
         std::vector<std::string> names;
         for (const auto& entry : fs::directory_iterator(path_ / "films"))
@@ -64,11 +72,7 @@ class PictureFolderTest : public testing::Test {
 };
 
 TEST_F(PictureFolderTest, a_chunk_is_claimed_once) {
-    PictureFolder one(path_), other(path_);
-    std::vector<std::string> differing;
-    one.join(picture(), 2, differing);
-    other.join(picture(), 7, differing);
-    EXPECT_THAT(differing, testing::IsEmpty());
+    PictureFolder one = folder_for(2), other = folder_for(7);
     std::vector<PartRange> claimed;
     for (auto mine = one.claim("n1"), theirs = other.claim("n2"); mine || theirs;
          mine = one.claim("n1"), theirs = other.claim("n2")) {
@@ -80,14 +84,11 @@ TEST_F(PictureFolderTest, a_chunk_is_claimed_once) {
 }
 
 TEST_F(PictureFolderTest, claims_without_a_film_are_given_up) {
-    PictureFolder folder(path_);
-    std::vector<std::string> differing;
-    folder.join(picture(), 1, differing);
+    PictureFolder folder = folder_for(1);
     const PartRange kept = *folder.claim("n1");
     folder.leave("n1", film(5), {{"d:0", "D", "1", {kept}}});
     const PartRange lost = *folder.claim("n1");
-    PictureFolder again(path_);
-    again.join(picture(), 1, differing);
+    PictureFolder again = folder_for(1);
     again.give_up_claims("n1");
     EXPECT_EQ(again.claim("n1"), lost);
     again.leave("n1", film(7), {{"d:0", "D", "1", {lost}}});
@@ -99,9 +100,7 @@ TEST_F(PictureFolderTest, claims_without_a_film_are_given_up) {
 }
 
 TEST_F(PictureFolderTest, a_film_of_which_no_ranges_came_does_not_count) {
-    PictureFolder folder(path_);
-    std::vector<std::string> differing;
-    folder.join(picture(), 1, differing);
+    PictureFolder folder = folder_for(1);
     const PartRange first = *folder.claim("n1");
     folder.leave("n1", film(5), {{"d:0", "D", "1", {first}}});
     fs::copy(path_ / "films", path_ / "before");
@@ -112,8 +111,7 @@ TEST_F(PictureFolderTest, a_film_of_which_no_ranges_came_does_not_count) {
              fs::copy_options::overwrite_existing | fs::copy_options::recursive);
     EXPECT_EQ(films().size(), 2u);
     EXPECT_EQ(folder.merged().pixels[0].radiance[0], 5);
-    PictureFolder again(path_);
-    again.join(picture(), 1, differing);
+    PictureFolder again = folder_for(1);
     again.give_up_claims("n1");
     EXPECT_EQ(again.claim("n1"), second);
     again.leave("n1", film(7), {{"d:0", "D", "1", {second}}});
@@ -121,9 +119,7 @@ TEST_F(PictureFolderTest, a_film_of_which_no_ranges_came_does_not_count) {
 }
 
 TEST_F(PictureFolderTest, who_owes_what_was_claimed_is_known) {
-    PictureFolder folder(path_);
-    std::vector<std::string> differing;
-    folder.join(picture(), 2, differing);
+    PictureFolder folder = folder_for(2);
     EXPECT_THAT(folder.owing(), testing::IsEmpty());
     const PartRange first = *folder.claim("n1");
     folder.claim("n2");
@@ -133,10 +129,7 @@ TEST_F(PictureFolderTest, who_owes_what_was_claimed_is_known) {
 }
 
 TEST_F(PictureFolderTest, what_another_gives_up_is_claimed_by_who_passed_it) {
-    PictureFolder one(path_), other(path_);
-    std::vector<std::string> differing;
-    one.join(picture(), 2, differing);
-    other.join(picture(), 2, differing);
+    PictureFolder one = folder_for(2), other = folder_for(2);
     const PartRange first = *one.claim("n1");
     while (other.claim("n2")) {
     }
@@ -146,10 +139,7 @@ TEST_F(PictureFolderTest, what_another_gives_up_is_claimed_by_who_passed_it) {
 }
 
 TEST_F(PictureFolderTest, of_a_chunk_that_is_made_in_part_the_rest_is_claimed) {
-    PictureFolder one(path_), other(path_);
-    std::vector<std::string> differing;
-    one.join(picture(), 1, differing);
-    other.join(picture(), 1, differing);
+    PictureFolder one = folder_for(1), other = folder_for(1);
     const PartRange first = *one.claim("n1");
     ASSERT_GE(first.count(), 4u);
     const PartRange made{first.first + 1, first.end - 1};
@@ -166,13 +156,10 @@ TEST_F(PictureFolderTest, of_a_chunk_that_is_made_in_part_the_rest_is_claimed) {
 }
 
 TEST_F(PictureFolderTest, a_node_that_comes_again_adds_the_rest_of_its_own_chunk) {
-    PictureFolder folder(path_);
-    std::vector<std::string> differing;
-    folder.join(picture(), 1, differing);
+    PictureFolder folder = folder_for(1);
     const PartRange first = *folder.claim("n1");
     folder.leave("n1", film(5), {{"d:0", "D", "1", {{first.first, first.end - 1}}}});
-    PictureFolder again(path_);
-    again.join(picture(), 1, differing);
+    PictureFolder again = folder_for(1);
     again.give_up_claims("n1");
     const PartRange rest{first.end - 1, first.end};
     EXPECT_EQ(again.claim("n1"), rest);
@@ -182,9 +169,8 @@ TEST_F(PictureFolderTest, a_node_that_comes_again_adds_the_rest_of_its_own_chunk
 }
 
 TEST_F(PictureFolderTest, films_of_another_picture_are_refused_with_both_values) {
-    PictureFolder folder(path_);
+    PictureFolder folder = folder_for(1);
     std::vector<std::string> differing;
-    folder.join(picture(), 1, differing);
     folder.leave("n1", film(5), {{"d:0", "D", "1", {*folder.claim("n1")}}});
     fs::remove(path_ / "picture.json");
     PictureFolder next(path_);
@@ -201,9 +187,8 @@ TEST_F(PictureFolderTest, films_of_another_picture_are_refused_with_both_values)
 }
 
 TEST_F(PictureFolderTest, another_picture_differs) {
-    PictureFolder folder(path_);
+    PictureFolder folder = folder_for(1);
     std::vector<std::string> differing;
-    folder.join(picture(), 1, differing);
     PictureRanges other = picture();
     other.seed = 9;
     other.params.spp = 77;
