@@ -18,13 +18,16 @@ struct Below {
     Bounds bounds;
 };
 
-Bounds bounds_of(const ptb_float4& low, const ptb_float4& high) {
-    return {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
+Bounds bounds_of(const ptb_float4& centre, const ptb_float4& half) {
+    const auto corner = [&](double side) {
+        return std::array{centre.x + side * half.x, centre.y + side * half.y, centre.z + side * half.z};
+    };
+    return {corner(-1), corner(1)};
 }
 
 std::array<Below, 2> children_of(const TreeNode2& node) {
-    return {Below{std::bit_cast<std::uint32_t>(node.low0_link.w), bounds_of(node.low0_link, node.high0)},
-            Below{std::bit_cast<std::uint32_t>(node.low1_link.w), bounds_of(node.low1_link, node.high1)}};
+    return {Below{std::bit_cast<std::uint32_t>(node.centre0_link.w), bounds_of(node.centre0_link, node.half0)},
+            Below{std::bit_cast<std::uint32_t>(node.centre1_link.w), bounds_of(node.centre1_link, node.half1)}};
 }
 
 std::array<Below, 8> children_of(const TreeNode8& node) {

@@ -15,6 +15,9 @@ class Padding {
 
     Box pad(const BinaryNode& node) const;
 
+    /// By which they are larger at each side.
+    float margin() const { return margin_; }
+
   private:
     float unit_, margin_;
 };
@@ -30,10 +33,6 @@ struct Load {
 /// Without facts. Throw std::logic_error where a leaf is larger than the layout's.
 Tree pack2(const Load& load);
 Tree pack8(const Load& load);
-
-/// Where no ray gets to that ends somewhere.
-inline constexpr Box unreachable{{infinity, infinity, infinity, infinity},
-                                 {infinity, infinity, infinity, infinity}};
 
 /// Throws std::logic_error if a leaf of this many references is none of a layout.
 void check_leaf(std::size_t count, std::size_t most);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 #include "core/tree/pack.h"
 
@@ -31,19 +32,23 @@ TreeTriangle packed(const Triangle& triangle, std::uint32_t number) {
     return {corner_of(triangle, 0, number), corner_of(triangle, 1, 0), corner_of(triangle, 2, 0)};
 }
 
+/// One that is none has a box that every ray leaves before it enters it.
 struct Child {
-    Box box = unreachable;
+    Float4 centre = all(0), half = all(-std::numeric_limits<float>::max());
     std::uint32_t link = TREE_NOTHING;
 };
 
 TreeNode2 packed(const Child& first, const Child& second) {
-    return {with_bits(first.box.low, first.link), with_bits(first.box.high, 0),
-            with_bits(second.box.low, second.link), with_bits(second.box.high, 0)};
+    return {with_bits(first.centre, first.link), with_bits(first.half, 0),
+            with_bits(second.centre, second.link), with_bits(second.half, 0)};
 }
 
 Child child_of(const Load& load, const BinaryNode& node, std::uint32_t inner_before) {
     const auto leaf = TREE_LEAF | (node.link * TREE_LEAF_MOST + node.count - 1);
-    return {load.padding.pad(node), node.count > 0 ? leaf : inner_before};
+    const Box box = load.padding.pad(node);
+    const Float4 centre = box.low * 0.5f + box.high * 0.5f;
+    const Float4 half = max(box.high - centre, centre - box.low) + all(load.padding.margin());
+    return {centre, half, node.count > 0 ? leaf : inner_before};
 }
 
 /// Where the root is not an inner node.

@@ -16,7 +16,7 @@
     S(SceneFewSpheres) F(SceneFewSpheres, sphere)                                                      \
     S(SceneStart) F(SceneStart, position_side) F(SceneStart, gap) F(SceneStart, distance_mask)         \
     S(SceneTriangle) F(SceneTriangle, normal_face)                                                     \
-    S(TreeNode2) F(TreeNode2, low0_link) F(TreeNode2, high0) F(TreeNode2, low1_link) F(TreeNode2, high1) \
+    S(TreeNode2) F(TreeNode2, centre0_link) F(TreeNode2, half0) F(TreeNode2, centre1_link) F(TreeNode2, half1) \
     S(TreeTriangle) F(TreeTriangle, a_number) F(TreeTriangle, b) F(TreeTriangle, c)                    \
     S(TreeNode8) F(TreeNode8, low) F(TreeNode8, high) F(TreeNode8, link)                               \
     S(TreeBlock8) F(TreeBlock8, corner) F(TreeBlock8, number)                                          \

@@ -49,7 +49,7 @@ static inline bool search_is_over(const Search* s) { return s->at == SEARCH_OVER
    leaves until fewer than SEARCH_AT_NODES go on through nodes. Either number is held against the lanes that are here, which
    need not be all: a warp may have been split. */
 #define SEARCH_DONE 4u
-#define SEARCH_AT_NODES 8u
+#define SEARCH_AT_NODES 14u
 
 static inline bool search_leaves_nodes(void) {
 #if PTB_PTX

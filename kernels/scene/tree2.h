@@ -4,6 +4,7 @@
 
 struct Search {
     Vec origin, inverse, minus_start; /* 1 / direction, and the origin times -1 / direction */
+    Vec inverse_size;                 /* without the signs of inverse */
     Vec across, down, direction;      /* a corner's sheared coordinates are its products with the first two */
     Found found;
     uint left, target;
@@ -28,6 +29,7 @@ static inline void search_aim(Search* s, Vec origin, Vec direction) {
     s->origin = origin;
     s->direction = direction;
     s->inverse = vec(1.0f / steep(direction.x), 1.0f / steep(direction.y), 1.0f / steep(direction.z));
+    s->inverse_size = vec(fabs(s->inverse.x), fabs(s->inverse.y), fabs(s->inverse.z));
     s->minus_start = vec(-origin.x * s->inverse.x, -origin.y * s->inverse.y, -origin.z * s->inverse.z);
     s->across = shear_row(across, along, vec_part(direction, across) * inverse);
     s->down = shear_row(down, along, vec_part(direction, down) * inverse);
@@ -45,11 +47,12 @@ static inline void search_pop(Search* s, const SearchStack* stack) { s->at = s->
 #endif
 
 /* Whether the ray goes through a box before what it has found, and where it enters. */
-static inline bool enters_box(const Search* s, float4 low, float4 high, float* entry) {
-    const Vec a = vec_mul_add(s->minus_start, vec_of(low), s->inverse), b = vec_mul_add(s->minus_start, vec_of(high), s->inverse);
-    *entry = SLAB_MAX(SLAB_MAX(SLAB_MIN(a.x, b.x), SLAB_MIN(a.y, b.y)), SLAB_MAX(SLAB_MIN(a.z, b.z), 0.0f));
-    const float exit = SLAB_MIN(SLAB_MIN(SLAB_MAX(a.x, b.x), SLAB_MAX(a.y, b.y)), SLAB_MIN(SLAB_MAX(a.z, b.z), s->found.distance));
-    return *entry <= exit;
+static inline bool enters_box(const Search* s, float4 centre, float4 half_edges, float* entry) {
+    const Vec middle = vec_mul_add(s->minus_start, vec_of(centre), s->inverse), reach = vec_of(half_edges);
+    const Vec size = s->inverse_size, far = vec_mul_add(middle, reach, size);
+    const Vec near = vec(middle.x - reach.x * size.x, middle.y - reach.y * size.y, middle.z - reach.z * size.z);
+    *entry = SLAB_MAX(SLAB_MAX(near.x, near.y), SLAB_MAX(near.z, 0.0f));
+    return *entry <= SLAB_MIN(SLAB_MIN(far.x, far.y), SLAB_MIN(far.z, s->found.distance));
 }
 
 /* Goes to the nearer child that the ray enters, and keeps the other for later. */
@@ -57,10 +60,10 @@ static inline void search_node(Tree tree, Search* s, SearchStack* stack COUNTED_
     COUNTED(1u, TREE_NODE_WORK)
     COUNTED_STEPS(PTB_COUNTED_NODES, 1u)
     __global const float4* node = tree.nodes + 4u * s->at;
-    const float4 low0 = node[0], high0 = node[1], low1 = node[2], high1 = node[3];
+    const float4 centre0 = node[0], half0 = node[1], centre1 = node[2], half1 = node[3];
     float entry0, entry1;
-    const bool first = enters_box(s, low0, high0, &entry0), second = enters_box(s, low1, high1, &entry1);
-    const uint link0 = as_uint(low0.w), link1 = as_uint(low1.w);
+    const bool first = enters_box(s, centre0, half0, &entry0), second = enters_box(s, centre1, half1, &entry1);
+    const uint link0 = as_uint(centre0.w), link1 = as_uint(centre1.w);
     if (!(first | second)) {
         search_pop(s, stack);
         return;

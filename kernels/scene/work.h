@@ -110,7 +110,7 @@
 #define TREE_POINT_WORK 9u, 0u, 1u, 4u
 #else
 #define TREE_AIM_WORK 5u, 0u, 4u, 0u
-#define TREE_NODE_WORK (2u * 6u * 2u), 0u, 0u, (uint)sizeof(TreeNode2)
+#define TREE_NODE_WORK (2u * 9u * 2u), 0u, 0u, (uint)sizeof(TreeNode2)
 #define TREE_TRIANGLE_WORK (9u + 6u * 5u + 11u), 0u, 0u, (uint)sizeof(TreeTriangle)
 #define TREE_POINT_WORK 23u, 0u, 1u, 0u
 #endif

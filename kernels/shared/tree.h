@@ -11,13 +11,14 @@
 #define TREE_LEAF_MOST 4u
 #define TREE_NOTHING 0xffffffffu /* the link of a place without a child, whose box no ray enters */
 
-/* An inner node of two children, whose boxes it has. Boxes are so much larger than what they hold that rounding of the ray's
-   way through them loses nothing. */
+/* An inner node of two children, whose boxes it has: by their centres and halves of their edges, which take a ray six minima and
+   maxima fewer a box than corners do. Boxes are so much larger than what they hold that rounding of the ray's way through them
+   loses nothing. */
 typedef struct TreeNode2 {
-    ptb_float4 low0_link; /* xyz: the first child's low corner; w: bits of its link */
-    ptb_float4 high0;
-    ptb_float4 low1_link;
-    ptb_float4 high1;
+    ptb_float4 centre0_link; /* xyz: the first child's centre; w: bits of its link */
+    ptb_float4 half0;        /* below 0 where there is no child */
+    ptb_float4 centre1_link;
+    ptb_float4 half1;
 } TreeNode2;
 PTB_ASSERT_SIZE(TreeNode2, 64);
 

@@ -30,6 +30,17 @@ struct Slabs {
         }
         return near <= far && near <= most ? near : std::numeric_limits<float>::infinity();
     }
+    /// The same of a box by its centre and halves of its edges.
+    float entry_around(const std::array<float, 3>& centre, const std::array<float, 3>& half,
+                       double most) const {
+        float near = 0, far = std::numeric_limits<float>::max();
+        for (std::size_t i = 0; i < 3; ++i) {
+            const float middle = centre[i] * inverse[i] - offset[i], reach = half[i] * std::abs(inverse[i]);
+            near = std::max(near, middle - reach);
+            far = std::min(far, middle + reach);
+        }
+        return near <= far && near <= most ? near : std::numeric_limits<float>::infinity();
+    }
 };
 
 /// See "Fast, Minimum Storage Ray/Triangle Intersection", by T. Moeller and B. Trumbore.
@@ -74,7 +85,9 @@ class Walk {
 
   private:
     void add(const std::array<float, 3>& low, const std::array<float, 3>& high, std::uint32_t link) {
-        const float entry = slabs_.entry(low, high, met_.distance);
+        add_if(slabs_.entry(low, high, met_.distance), link);
+    }
+    void add_if(float entry, std::uint32_t link) {
         if (entry < std::numeric_limits<float>::infinity()) stack_.push_back({entry, link});
     }
     void sort_from(std::size_t first) {
@@ -84,8 +97,10 @@ class Walk {
     void open(const TreeNode2& node) {
         ++met_.nodes;
         const std::size_t first = stack_.size();
-        add(xyz(node.low0_link), xyz(node.high0), std::bit_cast<std::uint32_t>(node.low0_link.w));
-        add(xyz(node.low1_link), xyz(node.high1), std::bit_cast<std::uint32_t>(node.low1_link.w));
+        add_if(slabs_.entry_around(xyz(node.centre0_link), xyz(node.half0), met_.distance),
+               std::bit_cast<std::uint32_t>(node.centre0_link.w));
+        add_if(slabs_.entry_around(xyz(node.centre1_link), xyz(node.half1), met_.distance),
+               std::bit_cast<std::uint32_t>(node.centre1_link.w));
         sort_from(first);
     }
     void open(const TreeNode8& node) {

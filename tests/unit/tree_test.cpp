@@ -128,16 +128,18 @@ struct Place {
     Bounds bounds;
 };
 
+Place place_around(const ptb_float4& centre, const ptb_float4& half) {
+    return {std::bit_cast<std::uint32_t>(centre.w),
+            {{centre.x - half.x, centre.y - half.y, centre.z - half.z},
+             {centre.x + half.x, centre.y + half.y, centre.z + half.z}}};
+}
+
 std::vector<Place> places_of(const Tree& tree, std::uint32_t node) {
     std::vector<Place> places;
     if (tree.nodes8.empty()) {
         const TreeNode2& n = tree.nodes2.at(node);
-        places.push_back(
-            {std::bit_cast<std::uint32_t>(n.low0_link.w),
-             {{n.low0_link.x, n.low0_link.y, n.low0_link.z}, {n.high0.x, n.high0.y, n.high0.z}}});
-        places.push_back(
-            {std::bit_cast<std::uint32_t>(n.low1_link.w),
-             {{n.low1_link.x, n.low1_link.y, n.low1_link.z}, {n.high1.x, n.high1.y, n.high1.z}}});
+        places.push_back(place_around(n.centre0_link, n.half0));
+        places.push_back(place_around(n.centre1_link, n.half1));
     } else {
         const TreeNode8& n = tree.nodes8.at(node);
         for (std::size_t i = 0; i < 8; ++i)
@@ -184,26 +186,25 @@ TEST(Tree, boxes_contain_what_is_below_them) {
     const Triangles scene = with(room(2), soup(2000, 0.4f));
     for (const TreeLayout layout : layouts) {
         const Tree tree = build_tree(scene, layout, settings_of(TreeMethod::sah, true), 1);
-        look_into(tree, {0, {}}, [&](const Place& place) {
-            if (place.link & TREE_LEAF) {
-                for (const std::uint32_t number : leaf_of(tree, place.link))
-                    for (const auto& corner : scene[number].corners)
-                        ASSERT_TRUE(place.bounds.contain(corner));
-            } else if (place.bounds.high != place.bounds.low) {  // the root has none
-                for (const Place& below : places_of(tree, place.link))
-                    ASSERT_TRUE(place.bounds.contain(below.bounds.low) &&
-                                place.bounds.contain(below.bounds.high));
-            }
-        });
+        for (const Place& top : places_of(tree, 0))
+            look_into(tree, top, [&](const Place& place) {
+                look_into(tree, place, [&](const Place& below) {
+                    if (!(below.link & TREE_LEAF)) return;
+                    for (const std::uint32_t number : leaf_of(tree, below.link))
+                        for (const auto& corner : scene[number].corners)
+                            ASSERT_TRUE(place.bounds.contain(corner));
+                });
+            });
     }
 }
 
-TEST(Tree, boxes_are_larger_by_two_units_in_the_last_place_of_the_largest_coordinate) {
+TEST(Tree, boxes_are_larger_by_units_in_the_last_place_of_the_largest_coordinate) {
     const Triangles scene = {{{{{0, 0, 0}, {1, 0, 0}, {0, 6, -0.5f}}}}};  // units of 4 to 8 are 2^-21
-    const Tree tree = build_tree(scene, TreeLayout::bvh2, {}, 1);
-    const Bounds bounds = places_of(tree, 0).at(0).bounds;
-    EXPECT_EQ(bounds.low, (std::array{-0x1p-20f, -0x1p-20f, -0.5f - 0x1p-20f}));
-    EXPECT_EQ(bounds.high, (std::array{1 + 0x1p-20f, 6 + 0x1p-20f, 0x1p-20f}));
+    for (const auto& [layout, more] : {std::pair{TreeLayout::wide8, 0x1p-20f}, {TreeLayout::bvh2, 0x1p-19f}}) {
+        const Bounds bounds = places_of(build_tree(scene, layout, {}, 1), 0).at(0).bounds;
+        EXPECT_EQ(bounds.low, (std::array{-more, -more, -0.5f - more}));
+        EXPECT_EQ(bounds.high, (std::array{1 + more, 6 + more, more}));
+    }
 }
 
 TEST(Tree, rays_from_farther_away_need_larger_boxes) {
