@@ -35,57 +35,29 @@ ALWAYS_INLINE void join_first(const World* world, Offset* offset, Vec* toward, c
                    counts COUNTED_ARGUMENT);
 }
 
-/* What a vertex of the base path sends on of another's light. */
-typedef struct Sent {
-    Vec light;
-    lanes_f sum;      /* its density by all strategies, in units of the density by the one that made it */
-    lanes_f per_odds; /* see add_shared */
-    lanes_mask seen;
-} Sent;
-
-static inline Sent nothing_sent(void) {
-    Sent sent;
-    sent.light = vec_of((float4)(0.0f));
-    sent.sum = (lanes_f)(1.0f);
-    sent.per_odds = (lanes_f)(0.0f);
-    sent.seen = lanes_none();
-    return sent;
-}
-
-/* Of a vertex of the light path; see bdpt/join.h. */
-ALWAYS_INLINE Sent sent_by_joining(const World* world, const Vertex* view, const Vertex* light, lanes_mask counts,
-                                   Traced* traced COUNTED_PARAMETER) {
-    Sent sent = nothing_sent();
-    const lanes_mask joins = counts & view->joins & light->joins;
-    if (!lanes_any(joins)) return sent;
+/* Adds what a vertex of the light path sends by way of one of the camera's; see bdpt/join.h. */
+ALWAYS_INLINE void join_shifted(const World* world, Path* path, const Vertex* view, const Vertex* light, Base* base, Offset* offsets,
+                                Gradients* gradients, lanes_mask first, Traced* traced COUNTED_PARAMETER) {
+    const lanes_mask joins = view->joins & light->joins;
+    if (!lanes_any(joins)) return;
     const Way way = way_to(view, light->position, light->normal);
     COUNTED_LANES(joins, BDPT_WAY_WORK)
     const lanes_mask wanted = joins & way_faces(&way, &view->inside, &light->inside);
-    if (!lanes_any(wanted)) return sent;
+    if (!lanes_any(wanted)) return;
     COUNTED_LANES(wanted, GBDPT_OWN_JOIN_WORK)
     const lanes_f g = way_geometry(&way);
-    sent.sum = 1.0f + g * (view->density * light->odds + light->density * view->odds);
-    sent.per_odds = g * light->density * view->density;
-    sent.light = vec_scale(vec_mul(light->weight, view->weight), g);
-    sent.seen = sees_from(world, view, way.direction, way.squared * way.inverse, light->face, wanted, traced COUNTED_ARGUMENT);
-    return sent;
-}
-
-ALWAYS_INLINE void join_beyond(const World* world, const Vertex* view, const Vertex* light, Base* base, Offset* offsets,
-                               lanes_mask counts, Traced* traced COUNTED_PARAMETER) {
-    const Sent sent = sent_by_joining(world, view, light, counts, traced COUNTED_ARGUMENT);
-    add_shared(base, offsets, sent.light, sent.sum, sent.per_odds, sent.seen COUNTED_ARGUMENT);
-}
-
-ALWAYS_INLINE void join_at_first(const World* world, Path* path, const Vertex* view, const Vertex* light, Offset* offsets,
-                                 Gradients* gradients, lanes_mask counts, Traced* traced COUNTED_PARAMETER) {
-    const Sent sent = sent_by_joining(world, view, light, counts, traced COUNTED_ARGUMENT);
-    if (!lanes_any(sent.seen)) return;
-    COUNTED_LANES(sent.seen, GBDPT_ADD_OWN_WORK)
-    path->radiance = vec_select(path->radiance, vec_add_scaled(path->radiance, sent.light, 1.0f / sent.sum), sent.seen);
+    const lanes_f sum = 1.0f + g * (view->density * light->odds + light->density * view->odds);
+    const lanes_mask seen =
+        sees_from(world, view, way.direction, way.squared * way.inverse, light->face, wanted, traced COUNTED_ARGUMENT);
+    const Vec sent = vec_scale(vec_mul(light->weight, view->weight), g);
+    add_shared(base, offsets, sent, sum, g * light->density * view->density, seen & !first COUNTED_ARGUMENT);
+    const lanes_mask own = seen & first;
+    if (!lanes_any(own)) return;
+    COUNTED_LANES(own, GBDPT_ADD_OWN_WORK)
+    path->radiance = vec_select(path->radiance, vec_add_scaled(path->radiance, sent, 1.0f / sum), own);
 #pragma unroll 1
     for (uint i = 0; i < NEIGHBOURS; ++i)
-        join_first(world, &offsets[i], &gradients->toward[i], light, sent.light, sent.sum, sent.seen, traced COUNTED_ARGUMENT);
+        join_first(world, &offsets[i], &gradients->toward[i], light, sent, sum, own, traced COUNTED_ARGUMENT);
 }
 
 /* A point of a lamp, as a vertex of the camera's path asked for it. */
@@ -131,42 +103,28 @@ ALWAYS_INLINE void ask_first(const World* world, Offset* offset, Vec* toward, co
                    counts COUNTED_ARGUMENT);
 }
 
-/* Of a lamp, which it asks. */
-ALWAYS_INLINE Sent sent_by_asking(const World* world, Path* path, const Vertex* view, LampSample* lamp, lanes_mask counts,
-                                  Traced* traced COUNTED_PARAMETER) {
-    Sent sent = nothing_sent();
+/* Adds the light of a lamp that a vertex of the camera's path asks for it. */
+ALWAYS_INLINE void ask_shifted(const World* world, Path* path, const Vertex* view, Base* base, Offset* offsets, Gradients* gradients,
+                               lanes_mask first, Traced* traced COUNTED_PARAMETER) {
     const LampDraw draw = draw_lamp(&path->random);
-    const lanes_mask joins = counts & view->joins;
-    if (!lanes_any(joins)) return sent;
-    *lamp = sample_lamp(world->scene, &world->lamps, view->position, &draw, joins COUNTED_ARGUMENT);
-    const lanes_f cosine = vec_dot(view->normal, lamp->direction);
-    COUNTED_LANES(joins, BDPT_COSINE_WORK)
-    const lanes_mask wanted = joins & (cosine > 0.0f) & (lamp->density.whole > 0.0f);
-    if (!lanes_any(wanted)) return sent;
+    if (!lanes_any(view->joins)) return;
+    const LampSample lamp = sample_lamp(world->scene, &world->lamps, view->position, &draw, view->joins COUNTED_ARGUMENT);
+    const lanes_f cosine = vec_dot(view->normal, lamp.direction);
+    COUNTED_LANES(view->joins, BDPT_COSINE_WORK)
+    const lanes_mask wanted = view->joins & (cosine > 0.0f) & (lamp.density.whole > 0.0f);
+    if (!lanes_any(wanted)) return;
     COUNTED_LANES(wanted, GBDPT_OWN_ASK_WORK)
-    const lanes_f whole = cosine * (lamp->density.whole / lamp->density.part);
-    sent.sum = 1.0f + whole * (view->density + lamp->area_density * (1.0f / PI) * view->odds);
-    sent.per_odds = whole * lamp->area_density * (1.0f / PI) * view->density;
-    sent.light = vec_scale(vec_mul(lamp->radiance, view->weight), whole);
-    sent.seen = sees_from(world, view, lamp->direction, lamp->distance, lamp->face, wanted, traced COUNTED_ARGUMENT);
-    return sent;
-}
-
-ALWAYS_INLINE void ask_beyond(const World* world, Path* path, const Vertex* view, Base* base, Offset* offsets, lanes_mask counts,
-                              Traced* traced COUNTED_PARAMETER) {
-    LampSample lamp;
-    const Sent sent = sent_by_asking(world, path, view, &lamp, counts, traced COUNTED_ARGUMENT);
-    add_shared(base, offsets, sent.light, sent.sum, sent.per_odds, sent.seen COUNTED_ARGUMENT);
-}
-
-ALWAYS_INLINE void ask_at_first(const World* world, Path* path, const Vertex* view, Offset* offsets, Gradients* gradients,
-                                lanes_mask counts, Traced* traced COUNTED_PARAMETER) {
-    LampSample lamp;
-    const Sent sent = sent_by_asking(world, path, view, &lamp, counts, traced COUNTED_ARGUMENT);
-    if (!lanes_any(sent.seen)) return;
-    COUNTED_LANES(sent.seen, GBDPT_ADD_OWN_WORK)
-    COUNTED_LANES(sent.seen, GBDPT_ASKED_WORK)
-    path->radiance = vec_select(path->radiance, vec_add_scaled(path->radiance, sent.light, 1.0f / sent.sum), sent.seen);
+    const lanes_f inverse = lamp.density.whole / lamp.density.part, whole = cosine * inverse;
+    const lanes_f sum = 1.0f + whole * (view->density + lamp.area_density * (1.0f / PI) * view->odds);
+    const lanes_mask seen =
+        sees_from(world, view, lamp.direction, lamp.distance, lamp.face, wanted, traced COUNTED_ARGUMENT);
+    const Vec sent = vec_scale(vec_mul(lamp.radiance, view->weight), whole);
+    add_shared(base, offsets, sent, sum, whole * lamp.area_density * (1.0f / PI) * view->density, seen & !first COUNTED_ARGUMENT);
+    const lanes_mask own = seen & first;
+    if (!lanes_any(own)) return;
+    COUNTED_LANES(own, GBDPT_ADD_OWN_WORK)
+    COUNTED_LANES(own, GBDPT_ASKED_WORK)
+    path->radiance = vec_select(path->radiance, vec_add_scaled(path->radiance, sent, 1.0f / sum), own);
     Asked asked;
     lanes_u number;
     (void)lamp_met(world, lamp.face, &number);
@@ -176,10 +134,10 @@ ALWAYS_INLINE void ask_at_first(const World* world, Path* path, const Vertex* vi
     asked.area_density = lamp.area_density;
     asked.face = lamp.face;
     const lanes_f of_lamp = vec_dot(lamp.direction, vec_sub(asked.lamp.centre, asked.position));
-    asked.per_area = of_lamp / (lamp.distance * lamp.distance * (lamp.density.whole / lamp.density.part));
+    asked.per_area = of_lamp / (lamp.distance * lamp.distance * inverse);
 #pragma unroll 1
     for (uint i = 0; i < NEIGHBOURS; ++i)
-        ask_first(world, &offsets[i], &gradients->toward[i], &asked, sent.light, sent.sum, sent.seen, traced COUNTED_ARGUMENT);
+        ask_first(world, &offsets[i], &gradients->toward[i], &asked, sent, sum, own, traced COUNTED_ARGUMENT);
 }
 
 #endif

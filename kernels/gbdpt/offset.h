@@ -28,8 +28,10 @@ typedef struct Offset {
 
 /* The base path. */
 typedef struct Base {
-    Vec prefix; /* what it is worth up to the vertex after its first matte one */
-    Vec shared; /* the light that comes after, over its density by all strategies */
+    Vec prefix;         /* what it is worth up to its second vertex of interest, the one after its first matte one */
+    Vec shared;         /* the light that comes after, over its density by all strategies */
+    lanes_mask in_chain; /* the lanes that have met mirrors and glass alone */
+    lanes_mask joins;    /* the lanes on the way to the vertex after the first matte one */
 } Base;
 
 /* The camera's direction through the same place of a neighbouring pixel. */
