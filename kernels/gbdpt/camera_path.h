@@ -19,7 +19,7 @@ ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* pi
     Base base;
     base.prefix = base.shared = zero;
     base.in_chain = alive;
-    base.joins = lanes_none();
+    base.joins = base.joined = lanes_none();
     Offset offsets[NEIGHBOURS];
 #pragma unroll 1
     for (uint i = 0; i < NEIGHBOURS; ++i) {
@@ -57,6 +57,7 @@ ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* pi
             const lanes_mask shines = joins & shine.shines;
             COUNTED_LANES(joins, GBDPT_SHARED_WORK)
             base.shared = vec_select(base.shared, vec_add_scaled(base.shared, shine.light, 1.0f / shine.sum), shines);
+            base.joined |= joins;
         }
         add_shared(&base, offsets, shine.light, shine.sum, shine.per_odds, shine.shines & !base.in_chain & !base.joins COUNTED_ARGUMENT);
 
@@ -89,9 +90,10 @@ ALWAYS_INLINE lanes_mask trace_from_camera(const World* world, const Picture* pi
     }
     COUNTED_LANES(all, GBDPT_END_WORK)
     path->radiance = vec_mul_add(path->radiance, base.prefix, base.shared);
-    for (uint i = 0; i < NEIGHBOURS; ++i)
-        gradients->toward[i] =
-            vec_mul_add(gradients->toward[i], vec_sub(offsets[i].weight, base.prefix), offsets[i].shared);
+    for (uint i = 0; i < NEIGHBOURS; ++i) {
+        const Vec shared = vec_mul_add(gradients->toward[i], vec_sub(offsets[i].throughput, base.prefix), offsets[i].place);
+        gradients->toward[i] = vec_select(gradients->toward[i], shared, base.joined);
+    }
     return full;
 }
 

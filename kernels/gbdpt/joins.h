@@ -14,7 +14,7 @@ ALWAYS_INLINE void join_first(const World* world, Offset* offset, Vec* toward, c
         return;
     }
     COUNTED_LANES(counts & offset->follows, GBDPT_WAY_WORK)
-    const Vertex* view = &offset->vertex;
+    const Vertex first = first_vertex(offset), *view = &first;
     const Way way = way_to(view, light->position, light->normal);
     const lanes_mask wanted = counts & offset->follows & way_faces(&way, &view->inside, &light->inside);
     lanes_mask seen = lanes_none();
@@ -77,7 +77,7 @@ ALWAYS_INLINE void ask_first(const World* world, Offset* offset, Vec* toward, co
         return;
     }
     COUNTED_LANES(counts & offset->follows, GBDPT_ASK_WAY_WORK)
-    const Vertex* view = &offset->vertex;
+    const Vertex first = first_vertex(offset), *view = &first;
     Ray ray;
     const Vec way = vec_sub(asked->position, view->position);
     const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared), distance = squared * inverse;

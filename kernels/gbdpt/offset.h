@@ -14,15 +14,17 @@
 /* A density ratio that is large enough. */
 #define MOST_LIKELY 1e12f
 
+/* What a shifted path carries lies in private memory, which is what a GPU waits for; so a place holds one thing after another: of
+   the path on its way, of its first matte vertex, and of what it is worth once it has joined the base path. */
 typedef struct Offset {
-    Ray ray;
-    Sides inside;
-    Vec throughput;
-    Vertex vertex;      /* the first matte one */
+    Vec place;          /* the ray's origin; the vertex' position; then the light that comes along the base path, each over the
+                           density of both by all strategies */
+    Vec direction;      /* the ray's; the vertex' normal */
+    Vec throughput;     /* the path's; the vertex' weight; then what that light is worth to it, in units of the base's density */
     lanes_f likelihood; /* its density over the base path's: of choices at glass, later of all */
-    lanes_f odds;       /* once it has joined the base path: by how much its odds of earlier strategies exceed that one's */
-    Vec weight;         /* what the light that comes along the base path is worth to it, in units of the base's density */
-    Vec shared;         /* that light, each over the density of both by all strategies */
+    lanes_f odds;       /* the vertex'; then by how much its odds of earlier strategies exceed the base path's */
+    lanes_f density;    /* the vertex' */
+    Sides inside;
     lanes_mask follows;
 } Offset;
 
@@ -31,7 +33,8 @@ typedef struct Base {
     Vec prefix;         /* what it is worth up to its second vertex of interest, the one after its first matte one */
     Vec shared;         /* the light that comes after, over its density by all strategies */
     lanes_mask in_chain; /* the lanes that have met mirrors and glass alone */
-    lanes_mask joins;    /* the lanes on the way to the vertex after the first matte one */
+    lanes_mask joins;    /* the lanes on the way to the vertex after the first matte one, */
+    lanes_mask joined;   /* and those that have come there */
 } Base;
 
 /* The camera's direction through the same place of a neighbouring pixel. */
@@ -44,26 +47,27 @@ ALWAYS_INLINE Vec shifted_direction(const Picture* picture, Vec direction, lanes
     return vec_normalize(vec_add_scaled(vec_scale(direction, 1.0f / cosine), vec_of(axis), (lanes_f)(step)));
 }
 
-static inline Vertex no_vertex(const Sides* inside) {
+/* Where its first matte vertex is. Of a lone sphere's face nothing has to be known to start there. */
+ALWAYS_INLINE Vertex first_vertex(const Offset* offset) {
     Vertex vertex;
-    vertex.position = vertex.normal = vertex.weight = vec_of((float4)(0.0f));
-    vertex.odds = vertex.density = (lanes_f)(0.0f);
-    vertex.inside = *inside;
+    vertex.position = offset->place;
+    vertex.normal = offset->direction;
+    vertex.weight = offset->throughput;
+    vertex.odds = offset->odds;
+    vertex.density = offset->density;
+    vertex.inside = offset->inside;
     vertex.face = (lanes_u)(0u);
-    vertex.joins = lanes_none();
+    vertex.joins = offset->follows;
     return vertex;
 }
 
 ALWAYS_INLINE void start_offset(Offset* offset, const Path* path, Vec direction) {
-    const Vec zero = vec_of((float4)(0.0f));
-    offset->ray = path->ray;
-    offset->ray.direction = direction;
-    offset->inside = path->inside;
+    offset->place = path->ray.origin;
+    offset->direction = direction;
     offset->throughput = vec_of((float4)(1.0f));
     offset->likelihood = (lanes_f)(1.0f);
-    offset->odds = (lanes_f)(0.0f);
-    offset->weight = offset->shared = zero;
-    offset->vertex = no_vertex(&path->inside);
+    offset->odds = offset->density = (lanes_f)(0.0f);
+    offset->inside = path->inside;
     offset->follows = lanes_all();
 }
 
@@ -108,19 +112,6 @@ ALWAYS_INLINE lanes_f scatter_alike(const World* world, Ray* ray, Sides* inside,
 
 static inline Vec over_chance_vec(Vec a, lanes_f chance) { return vec_scale(a, over_chance((lanes_f)(1.0f), chance)); }
 
-static inline Vertex vertex_select(const Vertex* if_false, const Vertex* if_true, lanes_mask mask) {
-    Vertex vertex;
-    vertex.position = vec_select(if_false->position, if_true->position, mask);
-    vertex.normal = vec_select(if_false->normal, if_true->normal, mask);
-    vertex.weight = vec_select(if_false->weight, if_true->weight, mask);
-    vertex.odds = lanes_select(if_false->odds, if_true->odds, mask);
-    vertex.density = lanes_select(if_false->density, if_true->density, mask);
-    vertex.inside = sides_select(&if_false->inside, &if_true->inside, mask);
-    vertex.face = lanes_select_u(if_false->face, if_true->face, mask);
-    vertex.joins = (if_false->joins & !mask) | (if_true->joins & mask);
-    return vertex;
-}
-
 /* Adds to a difference what a path is worth, `own`, and what its shifted path is, `other`, both in units of the path's density by the
    strategy that made it, over the densities of both by all strategies, `sum` and `other_sum`. */
 ALWAYS_INLINE void add_difference(Vec* toward, Vec own, lanes_f sum, Vec other, lanes_f other_sum, lanes_mask counts COUNTED_PARAMETER) {
@@ -139,7 +130,7 @@ ALWAYS_INLINE void add_shared(Base* base, Offset* offsets, Vec light, lanes_f su
         Offset* offset = &offsets[i];
         COUNTED_LANES(counts, GBDPT_OFFSET_WORK)
         const lanes_f both = sum + offset->likelihood * (sum + per_odds * offset->odds);
-        offset->shared = vec_select(offset->shared, vec_add_scaled(offset->shared, light, 1.0f / both), counts);
+        offset->place = vec_select(offset->place, vec_add_scaled(offset->place, light, 1.0f / both), counts);
     }
 }
 
@@ -198,7 +189,8 @@ ALWAYS_INLINE void follow(const World* world, const Picture* picture, Offset* of
     COUNTED_MEETING(world->scene, wanted)
     COUNTED_LANES(wanted, GBDPT_FOLLOW_WORK)
     Path shifted;
-    shifted.ray = offset->ray;
+    shifted.ray.origin = offset->place;
+    shifted.ray.direction = offset->direction;
     shifted.inside = offset->inside;
     shifted.throughput = offset->throughput;
     traced->light_segments += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), wanted);
@@ -223,7 +215,11 @@ ALWAYS_INLINE void follow(const World* world, const Picture* picture, Offset* of
     const lanes_f last = segment == 1u ? inverse_of_picture(picture, cosine) * distance * distance : (lanes_f)(0.0f);
     const Vertex vertex = move_to_vertex(&shifted, &met, &odds, last, lanes_none() COUNTED_ARGUMENT);
     const lanes_mask is_first = wanted & base_met->matte, goes_on = wanted & !base_met->matte;
-    offset->vertex = vertex_select(&offset->vertex, &vertex, is_first);
+    offset->place = vec_select(offset->place, vertex.position, is_first);
+    offset->direction = vec_select(offset->direction, vertex.normal, is_first);
+    offset->throughput = vec_select(offset->throughput, vertex.weight, is_first);
+    offset->odds = lanes_select(offset->odds, vertex.odds, is_first);
+    offset->density = lanes_select(offset->density, vertex.density, is_first);
 
     const lanes_mask is_glass = met.surface.eta_squared == met.surface.eta_squared;
     const lanes_mask base_is_glass = base_met->surface.eta_squared == base_met->surface.eta_squared;
@@ -232,8 +228,8 @@ ALWAYS_INLINE void follow(const World* world, const Picture* picture, Offset* of
                              ((met.surface.mirrored > 0.0f) & (base_met->surface.mirrored > 0.0f) &
                               ((is_glass & base_is_glass) | (!is_glass & !base_is_glass)) & (chance > 0.0f));
     offset->follows &= !in_chain | alike;
-    offset->ray.origin = vec_select(offset->ray.origin, shifted.ray.origin, goes_on);
-    offset->ray.direction = vec_select(offset->ray.direction, shifted.ray.direction, goes_on);
+    offset->place = vec_select(offset->place, shifted.ray.origin, goes_on);
+    offset->direction = vec_select(offset->direction, shifted.ray.direction, goes_on);
     offset->inside = sides_select(&offset->inside, &shifted.inside, goes_on);
     offset->throughput = vec_select(offset->throughput, over_chance_vec(shifted.throughput, met.goes_on), goes_on);
     offset->likelihood = lanes_select(offset->likelihood, offset->likelihood * chance / base_chance, goes_on);
@@ -242,13 +238,14 @@ ALWAYS_INLINE void follow(const World* world, const Picture* picture, Offset* of
 /* Ends shifted paths that cannot be joined to the base path. */
 ALWAYS_INLINE void end_offset(Offset* offset, const Shine* shine, lanes_mask joins COUNTED_PARAMETER) {
     const Vec zero = vec_of((float4)(0.0f));
-    offset->weight = vec_select(offset->weight, zero, joins);
+    offset->place = vec_select(offset->place, zero, joins);
+    offset->throughput = vec_select(offset->throughput, zero, joins);
     offset->likelihood = lanes_select(offset->likelihood, (lanes_f)(0.0f), joins);
     offset->odds = lanes_select(offset->odds, (lanes_f)(0.0f), joins);
     const lanes_mask shines = joins & shine->shines;
     if (!lanes_any(shines)) return;
     COUNTED_LANES(shines, GBDPT_SHARED_WORK)
-    offset->shared = vec_select(offset->shared, vec_add_scaled(offset->shared, shine->light, 1.0f / shine->sum), shines);
+    offset->place = vec_select(offset->place, vec_add_scaled(offset->place, shine->light, 1.0f / shine->sum), shines);
 }
 
 /* Joins a shifted path to the base path's vertex after the first matte one, where the base path has come from along `ray`. */
@@ -262,18 +259,19 @@ ALWAYS_INLINE void join_base(const World* world, const Path* path, const Ray* ra
     }
     COUNTED_LANES(may, GBDPT_BASE_WAY_WORK)
     const Vec outwards = from_centre(&path->ray, met->surface.centre);
-    const Vec way = vec_sub(path->ray.origin, offset->vertex.position);
+    const Vertex first = first_vertex(offset);
+    const Vec way = vec_sub(path->ray.origin, first.position);
     const lanes_f squared = vec_dot(way, way), inverse = lanes_rsqrt(squared), distance = squared * inverse;
     Ray other;
-    other.origin = offset->vertex.position;
+    other.origin = first.position;
     other.direction = vec_scale(way, inverse);
-    const lanes_f cosine = vec_dot(offset->vertex.normal, other.direction);
+    const lanes_f cosine = vec_dot(first.normal, other.direction);
     const lanes_f along = vec_dot(other.direction, outwards), base_along = vec_dot(ray->direction, outwards);
     const lanes_mask wanted = may & (cosine > 0.0f) & (along * base_along > 0.0f) &
-                              !sides_differ(&offset->vertex.inside, &view->inside);
+                              !sides_differ(&first.inside, &view->inside);
     lanes_mask seen = lanes_none();
     if (lanes_any(wanted))
-        seen = sees_from(world, &offset->vertex, other.direction, distance, met->face, wanted, traced COUNTED_ARGUMENT);
+        seen = sees_from(world, &first, other.direction, distance, met->face, wanted, traced COUNTED_ARGUMENT);
     if (!lanes_any(seen)) {
         end_offset(offset, shine, joins COUNTED_ARGUMENT);
         return;
@@ -282,13 +280,14 @@ ALWAYS_INLINE void join_base(const World* world, const Path* path, const Ray* ra
     const lanes_f base_distance = hit_distance(&met->hit);
     const lanes_f geometry = cosine * along * inverse * inverse / base_along * base_distance * base_distance;
     const lanes_f ratio = lanes_min(geometry * odds->last * offset->likelihood, (lanes_f)(MOST_LIKELY));
-    const lanes_f likelihood = lanes_select((lanes_f)(0.0f), ratio * offset->vertex.density, seen);
-    offset->weight = vec_select(offset->weight, vec_scale(offset->vertex.weight, lanes_select((lanes_f)(0.0f), ratio, seen)), joins);
+    const lanes_f likelihood = lanes_select((lanes_f)(0.0f), ratio * first.density, seen);
+    offset->throughput = vec_select(offset->throughput, vec_scale(first.weight, lanes_select((lanes_f)(0.0f), ratio, seen)), joins);
+    offset->place = vec_select(offset->place, vec_of((float4)(0.0f)), joins);
     offset->likelihood = lanes_select(offset->likelihood, likelihood, joins);
 
     /* densities of the way there and of all before it, as in Odds */
-    const lanes_f inverse_density = 1.0f / lanes_max(offset->vertex.density, (lanes_f)(1e-20f));
-    const lanes_f last = inverse_density / cosine, earlier = offset->vertex.odds * inverse_density;
+    const lanes_f inverse_density = 1.0f / lanes_max(first.density, (lanes_f)(1e-20f));
+    const lanes_f last = inverse_density / cosine, earlier = first.odds * inverse_density;
     if (BDPT_ENDS == 2) {
         COUNTED_LANES(seen, GBDPT_BASE_ODDS_WORK)
         const lanes_f at_vertex = -last * squared / vec_dot(view->normal, other.direction) + earlier * view->density;
@@ -306,7 +305,7 @@ ALWAYS_INLINE void join_base(const World* world, const Path* path, const Ray* ra
                     lanes_select((lanes_f)(0.0f), last * density.part / (density.whole + 1e-30f), shine->per_odds > 0.0f);
     }
     const lanes_f both = shine->sum + lanes_select((lanes_f)(0.0f), likelihood * other_sum, seen);
-    offset->shared = vec_select(offset->shared, vec_add_scaled(offset->shared, shine->light, 1.0f / both), shines);
+    offset->place = vec_select(offset->place, vec_add_scaled(offset->place, shine->light, 1.0f / both), shines);
 }
 
 #endif
