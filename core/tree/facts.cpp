@@ -26,8 +26,9 @@ Bounds bounds_of(const ptb_float4& centre, const ptb_float4& half) {
 }
 
 std::array<Below, 2> children_of(const TreeNode2& node) {
-    return {Below{std::bit_cast<std::uint32_t>(node.centre0_link.w), bounds_of(node.centre0_link, node.half0)},
-            Below{std::bit_cast<std::uint32_t>(node.centre1_link.w), bounds_of(node.centre1_link, node.half1)}};
+    return {
+        Below{std::bit_cast<std::uint32_t>(node.centre0_link.w), bounds_of(node.centre0_link, node.half0)},
+        Below{std::bit_cast<std::uint32_t>(node.centre1_link.w), bounds_of(node.centre1_link, node.half1)}};
 }
 
 std::array<Below, 8> children_of(const TreeNode8& node) {

@@ -10,12 +10,11 @@ namespace ptb::tree {
 /// Boxes as trees have them: in scene units, and so much larger that rounding of a ray's way loses nothing.
 class Padding {
   public:
-    /// By 2 units in the last place of the largest coordinate.
+    /// By 2 units in the last place of the largest coordinate, its margin.
     Padding(const Soup& soup, const TreeSettings& settings);
 
     Box pad(const BinaryNode& node) const;
 
-    /// By which they are larger at each side.
     float margin() const { return margin_; }
 
   private:
