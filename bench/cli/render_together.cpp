@@ -112,7 +112,10 @@ SharedPicture rendered(const Options& options, const SharedJob& job, PictureRang
             fmt::format("--ranges: found {} parts; allowed: {}", repeated->part_count, ranges.part_count));
     const ShareDone share(options.common.quiet);
     const auto show = [&](double done) { share.show(done); };
-    return repeated ? crew.repeat(repeated->devices, show) : crew.make({{0, ranges.part_count}}, show);
+    SharedPicture picture =
+        repeated ? crew.repeat(repeated->devices, show) : crew.make({{0, ranges.part_count}}, show);
+    if (!picture.failure.empty()) throw std::runtime_error(picture.failure);
+    return picture;
 }
 
 }  // namespace
@@ -267,8 +270,9 @@ int render_in_fleet(const Options& options, const Case& params, const std::vecto
     for (const std::string& remark : picture.remarks) tell(options.common, "warning: " + remark);
     if (picture.sums) folder.leave(node, *picture.sums, picture.by);
     const bool interrupted = stopped();
-    if (interrupted || folder_failed) folder.give_up_claims(node);
+    if (interrupted || folder_failed || !picture.failure.empty()) folder.give_up_claims(node);
     if (folder_failed) std::rethrow_exception(folder_failed);
+    if (!picture.failure.empty()) throw std::runtime_error(picture.failure);
     tell(options.common,
          fmt::format(
              "{}: made {:.1f} % of the picture{}", node, share_of(picture.by, ranges.part_count),

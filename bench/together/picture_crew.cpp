@@ -79,7 +79,8 @@ struct PictureCrew::Impl {
         for (auto& member : members)
             if (!cut) member->start([this, &m = *member] { begin(m); }).get();
         on_all([this](CrewMember& member, std::size_t) { begin(member); });
-        check_anybody_left();
+        if (const std::string nobody_left = failure(); !nobody_left.empty())
+            throw std::runtime_error(nobody_left);
     }
 
     template <class Work>
@@ -90,11 +91,11 @@ struct PictureCrew::Impl {
         wait_for(all);
     }
 
-    void check_anybody_left() const {
+    /// Why no device is left; empty while there is one.
+    std::string failure() const {
         const auto is_gone = [](const auto& member) { return !member->gone.empty(); };
-        if (std::all_of(members.begin(), members.end(), is_gone) && !stopped())
-            throw std::runtime_error(
-                fmt::format("{}: {}", members.front()->device.key, members.front()->gone));
+        if (!std::all_of(members.begin(), members.end(), is_gone) || stopped()) return {};
+        return fmt::format("{}: {}", members.front()->device.key, members.front()->gone);
     }
 
     /// The answer, or nothing where the worker is lost. Throws UsageError for what a device cannot do.
@@ -190,7 +191,7 @@ SharedPicture PictureCrew::Impl::make(HandOut& hand_out, const SharedProgress& p
         if (picture.by.back().count() == 0) picture.idle_parts_per_s += parts_per_s[i];
     }
     picture.remarks = std::exchange(remarks, {});
-    if (!picture.whole()) check_anybody_left();
+    if (!picture.whole()) picture.failure = failure();
     return picture;
 }
 

@@ -29,6 +29,7 @@ struct SharedPicture {
     double wall_s = 0;            ///< until all films were added
     double idle_parts_per_s = 0;  ///< of devices that were ready, and came too late to make anything
     std::vector<std::string> remarks{};
+    std::string failure{};  ///< why it is not whole, where no device is left
 
     bool whole() const { return parts_made(by) == part_count; }
     /// The speed, in multiples of that of all devices together while each is making its parts; of one that
