@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <thread>
 
 #include "core/integrator/camera.h"
@@ -36,6 +37,16 @@ std::vector<SceneTriangle> scene_triangles(const Scene& scene, std::uint32_t fir
         }
     }
     return triangles;
+}
+
+double largest_part(const Vec3& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
+
+/// The largest coordinate of where rays begin that begin on no triangle.
+float farthest_start(const Scene& scene, const Vec3& origin) {
+    double most = largest_part(scene.camera.position - origin);
+    for (const Sphere& sphere : scene.spheres)
+        most = std::max(most, largest_part(sphere.centre - origin) + sphere.radius);
+    return static_cast<float>(most);
 }
 
 bool refracts(const Scene& scene) {
@@ -76,7 +87,8 @@ std::vector<cl::Buffer> tree_buffers(const ocl::Device& device, const Tree& tree
 }
 
 std::shared_ptr<const Tree> mesh_tree(const Scene& scene, const Vec3& origin, TreeLayout layout,
-                                      const TreeSettings& settings) {
+                                      TreeSettings settings) {
+    settings.origin_most = farthest_start(scene, origin);
     const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     return scene.trees->tree(device_triangles(scene, origin), layout, settings, threads);
 }

@@ -5,9 +5,10 @@
 
 namespace ptb {
 
-/// The tree that the triangles of a scene lie in on a device whose origin is there.
+/// The tree that the triangles of a scene lie in on a device whose origin is there. Its boxes are large
+/// enough for rays from the camera and from all spheres.
 std::shared_ptr<const Tree> mesh_tree(const Scene& scene, const Vec3& origin, TreeLayout layout,
-                                      const TreeSettings& settings);
+                                      TreeSettings settings);
 
 /// Gives `device` the triangles of the scene that it was made of, in a tree of this layout.
 void add_meshes(DeviceScene& device, const Scene& scene, TreeLayout layout, const TreeSettings& settings);

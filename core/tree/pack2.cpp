@@ -47,7 +47,7 @@ Child child_of(const Load& load, const BinaryNode& node, std::uint32_t inner_bef
     const auto leaf = TREE_LEAF | (node.link * TREE_LEAF_MOST + node.count - 1);
     const Box box = load.padding.pad(node);
     const Float4 centre = box.low * 0.5f + box.high * 0.5f;
-    const Float4 half = max(box.high - centre, centre - box.low) + all(load.padding.margin());
+    const Float4 half = max(box.high - centre, centre - box.low) + all(2 * load.padding.margin());
     return {centre, half, node.count > 0 ? leaf : inner_before};
 }
 

@@ -14,6 +14,10 @@
 /* A density ratio that is large enough. */
 #define MOST_LIKELY 1e12f
 
+#if defined(SCENE_CARRIED) || defined(SCENE_TREE)
+#error "a shifted path has the place and direction of a ray alone"
+#endif
+
 /* What a shifted path carries lies in private memory, which is what a GPU waits for; so a place holds one thing after another: of
    the path on its way, of its first matte vertex, and of what it is worth once it has joined the base path. */
 typedef struct Offset {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/integrator/device_meshes.h"
 #include "core/integrator/unit_cut.h"
 
 using namespace ptb;
@@ -29,6 +30,19 @@ Scene three_spheres() {
                        material(MaterialType::mirror)};
     scene.spheres = {{{0, 3, 0}, 2, 0}, {{1, 0, 0}, 8, 1}, {{-3, 0, 5}, 4, 2}};
     return scene;
+}
+
+TEST(DeviceScene, has_boxes_of_triangles_large_enough_for_rays_from_far_away) {
+    Scene scene;
+    scene.materials = {material(MaterialType::matte)};
+    scene.camera.position = {0, 0, 0.5};
+    scene.meshes = {{"triangle", 0, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}};
+    const auto half_x = [&] { return mesh_tree(scene, {}, TreeLayout::bvh2, {})->nodes2.at(0).half0.x; };
+    EXPECT_EQ(half_x(), 0.5f + 6 * 0x1p-23f);
+    scene.camera.position = {0, -1000, 0};
+    EXPECT_EQ(half_x(), 0.5f + 6 * 0x1p-14f);
+    scene.spheres = {{{0, 0, 3000}, 2000, 0}};
+    EXPECT_EQ(half_x(), 0.5f + 6 * 0x1p-11f);
 }
 
 TEST(DeviceScene, has_both_faces_of_what_a_path_can_be_in_then_the_others) {

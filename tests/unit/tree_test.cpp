@@ -201,7 +201,7 @@ TEST(Tree, boxes_contain_what_is_below_them) {
 TEST(Tree, boxes_are_larger_by_units_in_the_last_place_of_the_largest_coordinate) {
     const Triangles scene = {{{{{0, 0, 0}, {1, 0, 0}, {0, 6, -0.5f}}}}};  // units of 4 to 8 are 2^-21
     for (const auto& [layout, more] :
-         {std::pair{TreeLayout::wide8, 0x1p-20f}, {TreeLayout::bvh2, 0x1p-19f}}) {
+         {std::pair{TreeLayout::wide8, 0x1p-20f}, {TreeLayout::bvh2, 0x1.8p-19f}}) {
         const Bounds bounds = places_of(build_tree(scene, layout, {}, 1), 0).at(0).bounds;
         EXPECT_EQ(bounds.low, (std::array{-more, -more, -0.5f - more}));
         EXPECT_EQ(bounds.high, (std::array{1 + more, 6 + more, more}));
