@@ -14,12 +14,9 @@
 /* A density ratio that is large enough. */
 #define MOST_LIKELY 1e12f
 
-#if defined(SCENE_CARRIED) || defined(SCENE_TREE)
-#error "a shifted path has the place and direction of a ray alone"
-#endif
-
 /* What a shifted path carries lies in private memory, which is what a GPU waits for; so a place holds one thing after another: of
-   the path on its way, of its first matte vertex, and of what it is worth once it has joined the base path. */
+   the path on its way, of its first matte vertex, and of what it is worth once it has joined the base path. Of a ray it has origin
+   and direction alone, so paths among triangles, and those that carry gaps, cannot be shifted. */
 typedef struct Offset {
     Vec place;          /* the ray's origin; the vertex' position; then the light that comes along the base path, each over the
                            density of both by all strategies */

@@ -262,7 +262,7 @@ TEST(Gradients, wrong_shifts_are_found) {
           Trial{{"the ratio of densities is squared", "gbdpt/offset.h",
                  "lanes_min(geometry * odds->last * offset->likelihood, (lanes_f)(MOST_LIKELY))",
                  "lanes_min(geometry * odds->last * offset->likelihood * geometry * odds->last * "
-                 "offset->likelihood * offset->vertex.density, (lanes_f)(MOST_LIKELY))"},
+                 "offset->likelihood * first.density, (lanes_f)(MOST_LIKELY))"},
                 "gap",
                 32},
           Trial{{"one direction's sign", "engine/gradients.h",
