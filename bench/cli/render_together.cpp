@@ -114,7 +114,7 @@ SharedPicture rendered(const Options& options, const SharedJob& job, PictureRang
     const auto show = [&](double done) { share.show(done); };
     SharedPicture picture =
         repeated ? crew.repeat(repeated->devices, show) : crew.make({{0, ranges.part_count}}, show);
-    if (!picture.failure.empty()) throw std::runtime_error(picture.failure);
+    picture.check();
     return picture;
 }
 
@@ -272,7 +272,7 @@ int render_in_fleet(const Options& options, const Case& params, const std::vecto
     const bool interrupted = stopped();
     if (interrupted || folder_failed || !picture.failure.empty()) folder.give_up_claims(node);
     if (folder_failed) std::rethrow_exception(folder_failed);
-    if (!picture.failure.empty()) throw std::runtime_error(picture.failure);
+    picture.check();
     tell(options.common,
          fmt::format(
              "{}: made {:.1f} % of the picture{}", node, share_of(picture.by, ranges.part_count),

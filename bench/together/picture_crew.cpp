@@ -43,6 +43,10 @@ void wait_for(std::vector<std::future<void>>& all) {
 
 }  // namespace
 
+void SharedPicture::check() const {
+    if (!failure.empty()) throw std::runtime_error(failure);
+}
+
 double SharedPicture::parts_per_s() const {
     return wall_s > 0 ? static_cast<double>(parts_made(by)) / wall_s : 0;
 }

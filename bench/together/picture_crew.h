@@ -31,6 +31,8 @@ struct SharedPicture {
     std::vector<std::string> remarks{};
     std::string failure{};  ///< why it is not whole, where no device is left
 
+    /// Throws std::runtime_error with `failure`, where there is one.
+    void check() const;
     bool whole() const { return parts_made(by) == part_count; }
     /// The speed, in multiples of that of all devices together while each is making its parts; of one that
     /// made none, as it showed before.

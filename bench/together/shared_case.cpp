@@ -1,7 +1,6 @@
 #include "bench/together/shared_case.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -90,7 +89,7 @@ class SharedMeasurement {
             last_ = crew_.make({{0, crew_.part_count()}}, [&](double done) {
                 progress_(progress_response(stage, (i + done) / renders));
             });
-            if (!last_.failure.empty()) throw std::runtime_error(last_.failure);
+            last_.check();
             add_time(timed.time, last_);
         }
         return timed;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace ptb {
@@ -22,22 +23,28 @@ struct Slabs {
     }
     /// Where the ray enters the box, or infinity.
     float entry(const std::array<float, 3>& low, const std::array<float, 3>& high, double most) const {
-        float near = 0, far = std::numeric_limits<float>::max();
-        for (std::size_t i = 0; i < 3; ++i) {
-            const float a = low[i] * inverse[i] - offset[i], b = high[i] * inverse[i] - offset[i];
-            near = std::max(near, std::min(a, b));
-            far = std::min(far, std::max(a, b));
-        }
-        return near <= far && near <= most ? near : std::numeric_limits<float>::infinity();
+        return entry_by(most, [&](std::size_t i) {
+            return std::minmax({low[i] * inverse[i] - offset[i], high[i] * inverse[i] - offset[i]});
+        });
     }
     /// The same of a box by its centre and halves of its edges.
     float entry_around(const std::array<float, 3>& centre, const std::array<float, 3>& half,
                        double most) const {
+        return entry_by(most, [&](std::size_t i) {
+            const float middle = centre[i] * inverse[i] - offset[i], reach = half[i] * std::abs(inverse[i]);
+            return std::pair{middle - reach, middle + reach};
+        });
+    }
+
+  private:
+    /// `way` says where the ray enters and leaves the slab of an axis.
+    template <class Way>
+    static float entry_by(double most, Way way) {
         float near = 0, far = std::numeric_limits<float>::max();
         for (std::size_t i = 0; i < 3; ++i) {
-            const float middle = centre[i] * inverse[i] - offset[i], reach = half[i] * std::abs(inverse[i]);
-            near = std::max(near, middle - reach);
-            far = std::min(far, middle + reach);
+            const auto [enters, leaves] = way(i);
+            near = std::max(near, enters);
+            far = std::min(far, leaves);
         }
         return near <= far && near <= most ? near : std::numeric_limits<float>::infinity();
     }

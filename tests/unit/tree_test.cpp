@@ -188,6 +188,12 @@ TEST(Tree, boxes_contain_what_is_below_them) {
         const Tree tree = build_tree(scene, layout, settings_of(TreeMethod::sah, true), 1);
         for (const Place& top : places_of(tree, 0))
             look_into(tree, top, [&](const Place& place) {
+                if (layout == TreeLayout::wide8 &&
+                    !(place.link & TREE_LEAF)) {  // which has boxes as they are
+                    for (const Place& below : places_of(tree, place.link))
+                        ASSERT_TRUE(place.bounds.contain(below.bounds.low) &&
+                                    place.bounds.contain(below.bounds.high));
+                }
                 look_into(tree, place, [&](const Place& below) {
                     if (!(below.link & TREE_LEAF)) return;
                     for (const std::uint32_t number : leaf_of(tree, below.link))
