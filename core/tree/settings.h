@@ -35,8 +35,8 @@ struct TreeSettings {
 
     /// In node steps.
     struct Cost {
-        float triangle = 0.7f;  ///< of a test of a single triangle
-        float block = 1;        ///< of a test of a block of eight
+        float triangle = 1;  ///< of a test of a single triangle
+        float block = 1;     ///< of a test of a block of eight
         auto operator<=>(const Cost&) const = default;
     } cost;
 

@@ -45,8 +45,11 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, 
 
     uint turn = 0u;
     MeetingStack waiting;
-    Meeting meeting = begin_meeting(world.scene, &path.ray, &path.inside COUNTED_ARGUMENT);
+    Meeting meeting = begin_meeting(world.scene, &path.ray, &path.inside, &waiting COUNTED_ARGUMENT);
     while (lanes_any(alive)) {
+#ifdef SCENE_PAUSES
+        KEEP_IN_MEMORY(unit); /* only ends of paths touch it, and with fewer registers more warps search at once */
+#endif
         if (!go_on(world.scene, &meeting, &waiting COUNTED_ARGUMENT)) continue;
         lanes_u face;
         lanes_mask ends;
@@ -83,7 +86,7 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, 
             spare.radiance = vec_select(spare.radiance, radiance, ended);
             start_spares(&path, &spare, ended, turn, start, &launch);
         }
-        meeting = begin_meeting(world.scene, &path.ray, &path.inside COUNTED_ARGUMENT);
+        meeting = begin_meeting(world.scene, &path.ray, &path.inside, &waiting COUNTED_ARGUMENT);
     }
 #ifdef ENGINE_SPLATS
     const Picture picture = picture_of(&launch, start.row->position_side ENGINE_SPLATS_ARGUMENT);

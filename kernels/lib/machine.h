@@ -62,4 +62,11 @@
 #define PTB_PTX 0
 #endif
 
+/* Where registers are scarce: a variable lies in private memory here, and is read anew from there. */
+#if PTB_PTX
+#define KEEP_IN_MEMORY(variable) __asm__ volatile("" : : "l"(&(variable)) : "memory")
+#else
+#define KEEP_IN_MEMORY(variable) (void)0
+#endif
+
 #endif

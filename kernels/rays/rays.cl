@@ -16,7 +16,7 @@ static inline void meet_one(Tree tree, __global const ListedRay* ray, __global L
     Search search;
     SearchStack stack;
     COUNTED_SEARCH
-    search_begin(&search, vec_of(origin_left), vec_of(direction_reach), direction_reach.w, as_uint(origin_left.w),
+    search_begin(&search, &stack, vec_of(origin_left), vec_of(direction_reach), direction_reach.w, as_uint(origin_left.w),
                  TREE_NOTHING COUNTED_ARGUMENT);
     search_all(tree, &search, &stack, any COUNTED_ARGUMENT);
     const Found found = search.found;

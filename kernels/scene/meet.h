@@ -51,9 +51,10 @@ static inline void pass_through(Scene scene, Ray* ray, Sides* inside, const Hit*
 #else
 
 /* Begins to look for the nearest triangle before the nearest sphere. */
-static inline void begin_search(Scene scene, const Ray* ray, const Sides* inside, Hit* hit, Search* search COUNTED_PARAMETER) {
+static inline void begin_search(Scene scene, const Ray* ray, const Sides* inside, Hit* hit, Search* search,
+                                SearchStack* stack COUNTED_PARAMETER) {
     *hit = nearest_sphere(scene, ray, inside);
-    search_begin(search, ray->origin, ray->direction, hit_distance(hit), ray->left, TREE_NOTHING COUNTED_ARGUMENT);
+    search_begin(search, stack, ray->origin, ray->direction, hit_distance(hit), ray->left, TREE_NOTHING COUNTED_ARGUMENT);
 }
 
 /* Takes what the search found into the hit. The point is made of the corners, and kept a hair from the plane on the ray's
@@ -85,7 +86,7 @@ static inline Hit nearest_hit(Scene scene, const Ray* ray, const Sides* inside C
     Hit hit;
     Search search;
     SearchStack stack;
-    begin_search(scene, ray, inside, &hit, &search COUNTED_ARGUMENT);
+    begin_search(scene, ray, inside, &hit, &search, &stack COUNTED_ARGUMENT);
     search_all(scene.tree, &search, &stack, false COUNTED_ARGUMENT);
     end_search(scene, ray, &search, &hit COUNTED_ARGUMENT);
     return hit;
@@ -102,7 +103,7 @@ static inline bool sees(Scene scene, const Ray* ray, const Sides* inside, float 
     Search search;
     SearchStack stack;
     COUNTED_SEARCH
-    search_begin(&search, ray->origin, ray->direction, distance, ray->left, end COUNTED_ARGUMENT);
+    search_begin(&search, &stack, ray->origin, ray->direction, distance, ray->left, end COUNTED_ARGUMENT);
     search_all(scene.tree, &search, &stack, true COUNTED_ARGUMENT);
     return search.found.place == TREE_NOTHING;
 }
@@ -150,9 +151,9 @@ typedef struct Meeting {
 
 typedef SearchStack MeetingStack;
 
-static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* inside COUNTED_PARAMETER) {
+static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* inside, MeetingStack* stack COUNTED_PARAMETER) {
     Meeting meeting;
-    begin_search(scene, ray, inside, &meeting.sphere, &meeting.search COUNTED_ARGUMENT);
+    begin_search(scene, ray, inside, &meeting.sphere, &meeting.search, stack COUNTED_ARGUMENT);
     return meeting;
 }
 
@@ -176,8 +177,8 @@ typedef struct Meeting {
 
 typedef Meeting MeetingStack;
 
-static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* inside COUNTED_PARAMETER) {
-    (void)scene, (void)ray, (void)inside;
+static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* inside, MeetingStack* stack COUNTED_PARAMETER) {
+    (void)scene, (void)ray, (void)inside, (void)stack;
     COUNTED_UNUSED
     const Meeting meeting = {0};
     return meeting;

@@ -12,6 +12,8 @@ typedef struct Found {
     float b, c; /* shares of its second and third corner in the point met */
 } Found;
 
+#define SEARCH_OVER TREE_NOTHING /* a link that ends a search */
+
 typedef struct Search Search;
 
 /* What waits while a link is followed. By itself: a compiler keeps no part of a struct in registers that holds an array which
@@ -24,13 +26,14 @@ typedef struct SearchStack SearchStack;
 #include "scene/tree2.h"
 #endif
 
-#define SEARCH_OVER TREE_NOTHING
+
 
 /* Of one that was of use: a lane may begin its next one before it knows that there is no work left. */
 #define COUNTED_SEARCH COUNTED(1u, TREE_AIM_WORK) COUNTED_STEPS(PTB_COUNTED_SEARCHES, 1u)
 
 /* Begins one within `distance`, of triangles that are not of these two numbers. */
-static inline void search_begin(Search* s, Vec origin, Vec direction, float distance, uint left, uint target COUNTED_PARAMETER) {
+static inline void search_begin(Search* s, SearchStack* stack, Vec origin, Vec direction, float distance, uint left,
+                                uint target COUNTED_PARAMETER) {
     COUNTED_UNUSED
     search_aim(s, origin, direction);
     s->found.distance = distance;
@@ -38,8 +41,7 @@ static inline void search_begin(Search* s, Vec origin, Vec direction, float dist
     s->found.b = s->found.c = 0.0f;
     s->left = left;
     s->target = target;
-    s->height = 0u;
-    s->at = 0u;
+    search_start(s, stack);
 }
 
 static inline bool search_is_at_node(const Search* s) { return (s->at & TREE_LEAF) == 0u; }
@@ -48,7 +50,7 @@ static inline bool search_is_over(const Search* s) { return s->at == SEARCH_OVER
 /* Lanes of a warp do not search equally long. Those that are done wait until there are SEARCH_DONE of them, and those in
    leaves until fewer than SEARCH_AT_NODES go on through nodes. Either number is held against the lanes that are here, which
    need not be all: a warp may have been split. */
-#define SEARCH_DONE 4u
+#define SEARCH_DONE 11u
 #define SEARCH_AT_NODES 14u
 
 static inline bool search_leaves_nodes(void) {

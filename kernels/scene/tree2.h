@@ -5,7 +5,8 @@
 struct Search {
     Vec origin, inverse, minus_start; /* 1 / direction, and the origin times -1 / direction */
     Vec inverse_size;                 /* without the signs of inverse */
-    Vec across, down, direction;      /* a corner's sheared coordinates are its products with the first two */
+    Vec across, down, direction;      /* a corner's sheared coordinates are its products with the first two, */
+    float minus_across, minus_down;   /* less the origin's */
     Found found;
     uint left, target;
     uint at, height;
@@ -33,75 +34,72 @@ static inline void search_aim(Search* s, Vec origin, Vec direction) {
     s->minus_start = vec(-origin.x * s->inverse.x, -origin.y * s->inverse.y, -origin.z * s->inverse.z);
     s->across = shear_row(across, along, vec_part(direction, across) * inverse);
     s->down = shear_row(down, along, vec_part(direction, down) * inverse);
+    s->minus_across = -vec_dot(s->across, origin);
+    s->minus_down = -vec_dot(s->down, origin);
 }
 
-static inline void search_pop(Search* s, const SearchStack* stack) { s->at = s->height > 0u ? stack->link[--s->height] : TREE_NOTHING; }
+/* Below all that waits lies the end. */
+static inline void search_start(Search* s, SearchStack* stack) {
+    stack->link[0] = SEARCH_OVER;
+    s->height = 1u;
+    s->at = 0u;
+}
 
-/* Of one instruction; what is no number does not come here. */
-#if PTB_PTX
-#define SLAB_MIN fmin
-#define SLAB_MAX fmax
-#else
-#define SLAB_MIN tree_min
-#define SLAB_MAX tree_max
-#endif
+static inline void search_pop(Search* s, const SearchStack* stack) { s->at = stack->link[--s->height]; }
 
 /* Whether the ray goes through a box before what it has found, and where it enters. */
 static inline bool enters_box(const Search* s, float4 centre, float4 half_edges, float* entry) {
     const Vec middle = vec_mul_add(s->minus_start, vec_of(centre), s->inverse), reach = vec_of(half_edges);
     const Vec size = s->inverse_size, far = vec_mul_add(middle, reach, size);
     const Vec near = vec(middle.x - reach.x * size.x, middle.y - reach.y * size.y, middle.z - reach.z * size.z);
-    *entry = SLAB_MAX(SLAB_MAX(near.x, near.y), SLAB_MAX(near.z, 0.0f));
-    return *entry <= SLAB_MIN(SLAB_MIN(far.x, far.y), SLAB_MIN(far.z, s->found.distance));
+    *entry = QUICK_MAX(QUICK_MAX(near.x, near.y), QUICK_MAX(near.z, 0.0f));
+    return *entry <= QUICK_MIN(QUICK_MIN(far.x, far.y), QUICK_MIN(far.z, s->found.distance));
 }
 
 /* Goes to the nearer child that the ray enters, and keeps the other for later. */
 static inline void search_node(Tree tree, Search* s, SearchStack* stack COUNTED_PARAMETER) {
     COUNTED(1u, TREE_NODE_WORK)
     COUNTED_STEPS(PTB_COUNTED_NODES, 1u)
-    __global const float4* node = tree.nodes + 4u * s->at;
+    __global const float4* node = tree.nodes + (size_t)s->at * 4u;
     const float4 centre0 = node[0], half0 = node[1], centre1 = node[2], half1 = node[3];
     float entry0, entry1;
     const bool first = enters_box(s, centre0, half0, &entry0), second = enters_box(s, centre1, half1, &entry1);
     const uint link0 = as_uint(centre0.w), link1 = as_uint(centre1.w);
-    if (!(first | second)) {
-        search_pop(s, stack);
-        return;
-    }
     const bool second_first = second & (!first | (entry1 < entry0));
-    if (first & second) stack->link[s->height++] = second_first ? link0 : link1;
     s->at = second_first ? link1 : link0;
+    if (first & second) stack->link[s->height++] = second_first ? link0 : link1;
+    if (!(first | second)) search_pop(s, stack);
 }
 
-/* A corner as the ray sees it. */
-static inline Corner corner_seen(const Search* s, Vec from_origin) {
+/* A corner as the ray sees it: of the same bits in all triangles that have it. */
+static inline Corner corner_seen(const Search* s, Vec corner) {
 #pragma OPENCL FP_CONTRACT OFF
-    Corner corner;
-#ifdef FP_FAST_FMAF
-    corner.x = fma(s->across.z, from_origin.z, fma(s->across.y, from_origin.y, s->across.x * from_origin.x));
-    corner.y = fma(s->down.z, from_origin.z, fma(s->down.y, from_origin.y, s->down.x * from_origin.x));
+    Corner seen;
+#if PTB_PTX || defined(FP_FAST_FMAF)
+    seen.x = fma(s->across.z, corner.z, fma(s->across.y, corner.y, fma(s->across.x, corner.x, s->minus_across)));
+    seen.y = fma(s->down.z, corner.z, fma(s->down.y, corner.y, fma(s->down.x, corner.x, s->minus_down)));
 #else
-    corner.x = s->across.x * from_origin.x + s->across.y * from_origin.y + s->across.z * from_origin.z;
-    corner.y = s->down.x * from_origin.x + s->down.y * from_origin.y + s->down.z * from_origin.z;
+    seen.x = s->across.x * corner.x + s->across.y * corner.y + s->across.z * corner.z + s->minus_across;
+    seen.y = s->down.x * corner.x + s->down.y * corner.y + s->down.z * corner.z + s->minus_down;
 #endif
-    return corner;
+    return seen;
 }
 
 /* Meets the triangle at this place. Returns whether it is the nearest now. */
-static inline bool search_triangle(Tree tree, Search* s, uint place COUNTED_PARAMETER) {
+static inline bool search_triangle(Tree tree, Search* s, uint place, const bool any COUNTED_PARAMETER) {
     COUNTED(1u, TREE_TRIANGLE_WORK)
     COUNTED_STEPS(PTB_COUNTED_TRIANGLES, 1u)
-    __global const float4* corners = tree.leaves + 3u * place;
+    __global const float4* corners = tree.leaves + (size_t)place * 3u;
     const float4 a_number = corners[0];
-    const Vec a = vec_sub(vec_of(a_number), s->origin), b = vec_sub(vec_of(corners[1]), s->origin);
-    const Vec c = vec_sub(vec_of(corners[2]), s->origin);
+    const Vec a = vec_of(a_number), b = vec_of(corners[1]), c = vec_of(corners[2]);
     const Edges edges = edges_of(corner_seen(s, a), corner_seen(s, b), corner_seen(s, c));
     const uint number = as_uint(a_number.w);
-    if (!goes_through(&edges) | (number == s->left) | (number == s->target)) return false;
+    if (!goes_through(&edges) | (number == s->left) | (any && number == s->target)) return false;
     COUNTED(1u, TREE_POINT_WORK)
     const float inverse = 1.0f / edges.sum, share_b = edges.b * inverse, share_c = edges.c * inverse;
-    const Vec point = vec_add_scaled(vec_add_scaled(vec_scale(a, edges.a * inverse), b, share_b), c, share_c);
-    const float distance = vec_dot(point, s->direction);
+    const Vec to_a = vec_sub(a, s->origin), in_b = vec_add_scaled(to_a, vec_sub(b, a), share_b);
+    const Vec to_point = vec_add_scaled(in_b, vec_sub(c, a), share_c);
+    const float distance = vec_dot(to_point, s->direction);
     if (!((distance > 0.0f) & (distance < s->found.distance))) return false;
     s->found.distance = distance;
     s->found.place = place;
@@ -113,7 +111,7 @@ static inline bool search_triangle(Tree tree, Search* s, uint place COUNTED_PARA
 static inline void search_leaf(Tree tree, Search* s, const SearchStack* stack, const bool any COUNTED_PARAMETER) {
     const uint run = s->at & ~TREE_LEAF, first = run / TREE_LEAF_MOST, last = first + run % TREE_LEAF_MOST;
     for (uint place = first; place <= last; ++place) {
-        if (search_triangle(tree, s, place COUNTED_ARGUMENT) && any) {
+        if (search_triangle(tree, s, place, any COUNTED_ARGUMENT) && any) {
             s->at = TREE_NOTHING;
             return;
         }

@@ -57,6 +57,12 @@ static inline void search_aim(Search* s, Vec origin, Vec direction) {
 /* Eight floats that lie as vectors do. (vload8 is two loads with PoCL.) */
 static inline float8 eight_at(__global const float* row) { return *(__global const float8*)row; }
 
+static inline void search_start(Search* s, SearchStack* stack) {
+    (void)stack;
+    s->height = 0u;
+    s->at = 0u;
+}
+
 static inline void search_pop(Search* s, const SearchStack* stack) {
     while (s->height > 0u) {
         const ulong word = stack->word[--s->height];

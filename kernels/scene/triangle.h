@@ -40,9 +40,18 @@ static inline Edges edges_of(Corner a, Corner b, Corner c) {
 static inline tree_f tree_min(tree_f a, tree_f b) { return a < b ? a : b; }
 static inline tree_f tree_max(tree_f a, tree_f b) { return a > b ? a : b; }
 
+/* Of one instruction, where it does not matter which comes with a NaN. */
+#if PTB_PTX
+#define QUICK_MIN fmin
+#define QUICK_MAX fmax
+#else
+#define QUICK_MIN tree_min
+#define QUICK_MAX tree_max
+#endif
+
 /* Whether the ray goes through, from either side; not where the triangle is seen as a line, or is no triangle. */
 static inline tree_mask goes_through(const Edges* e) {
-    const tree_f least = tree_min(tree_min(e->a, e->b), e->c), most = tree_max(tree_max(e->a, e->b), e->c);
+    const tree_f least = QUICK_MIN(QUICK_MIN(e->a, e->b), e->c), most = QUICK_MAX(QUICK_MAX(e->a, e->b), e->c);
     return ((least >= 0.0f) | (most <= 0.0f)) & ((e->sum > 0.0f) | (e->sum < 0.0f));
 }
 

@@ -8,7 +8,7 @@
    a leaf is a run of 1 to TREE_LEAF_MOST triangles: its first triangle's number times TREE_LEAF_MOST, plus the count less 1.
    In a tree of eight, a leaf is the block of that number. */
 #define TREE_LEAF 0x80000000u
-#define TREE_LEAF_MOST 4u
+#define TREE_LEAF_MOST 2u
 #define TREE_NOTHING 0xffffffffu /* the link of a place without a child, whose box no ray enters */
 
 /* An inner node of two children, whose boxes it has: by their centres and halves of their edges, which take a ray six minima and

@@ -22,7 +22,7 @@ BYTES = {"load global": r"\((\d+) bytes\)", "store global": r"\((\d+) bytes\)"}
 COPIED_BYTES = {"call llvm.memcpy.p0i8.p1i8.i64()": 48, "call llvm.memcpy.p1i8.p0i8.i64()": 48}
 CAMERA_RAY = {"flops": 22, "roots": 1, "divisions": 1, "bytes": 0}
 # A search that a lane begins when there is no work left, past the two spheres of mesh_room.
-IDLE_SEARCH = {"flops": 13 + 2 * 16 + 5, "roots": 2, "divisions": 4, "bytes": 0}
+IDLE_SEARCH = {"flops": 13 + 2 * 16 + 15, "roots": 2, "divisions": 4, "bytes": 0}
 
 
 def rendered(render_once, kernel, scene, path_length, *options):
