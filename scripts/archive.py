@@ -33,9 +33,9 @@ def run_faults(run):
         yield "the run was interrupted"
     if run["git_dirty"]:
         yield "ptbench was built from a tree with changes that are not committed"
-    for word in run["argv"]:
+    for word in [*run["argv"], run.get("folder", "")]:
         if word.startswith(("/", "~")):
-            yield f"argv names a folder of that machine: {word}"
+            yield f"it names a folder of that machine: {word}"
 
 
 def file_faults(file):

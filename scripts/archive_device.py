@@ -27,7 +27,7 @@ RUNS = {  # share of the time in percent, words, and those of a CPU or a GPU bes
     "queues": (7, f"--config queues {SHORT}", "", ""),
     "quality": (10, f"--config quality {SHORT}", "", "--size 1024"),
     "workgroups": (10, f"--config workgroups {SHORT}", "", "--size 1024"),
-    "ladder": (18, f"--config ladder {SHORT}", "", "--size 1024"),
+    "ladder": (18, f"--config ladder --spp [4:256:x8] {SHORT}", "", "--size 1024"),
     "meshes": (8, f"{MESHES} {SHORT}", "--size 128", "--size 1024"),
     "rays": (6, f"--config rays {SHORT}", "", "--size 2048"),
 }
@@ -53,6 +53,7 @@ def cut(file, pictures):
     """Leaves nothing of where ptbench and drivers lay, and no name of a picture that does not stay."""
     result = json.loads(file.read_text(encoding="utf-8"))
     result["run"]["argv"][0] = "ptbench"
+    result["run"]["folder"] = "."
     for device in result["devices"]:
         device["icd"] = f"/etc/OpenCL/vendors/{pathlib.Path(device['icd']).name}"
     result["broken_icds"] = []

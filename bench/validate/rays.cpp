@@ -51,8 +51,7 @@ std::vector<Ball> balls_around(const std::vector<Triangle>& triangles) {
 double largest_coordinate(const std::vector<Ball>& balls) {
     double largest = 0;
     for (const auto& [centre, radius] : balls)
-        largest = std::max(
-            {largest, std::abs(centre.x) + radius, std::abs(centre.y) + radius, std::abs(centre.z) + radius});
+        largest = std::max(largest, largest_coordinate(centre) + radius);
     return largest;
 }
 
@@ -143,8 +142,7 @@ class AllTriangles {
     };
 
     double margin_of(const HostRay& ray) const {
-        const Vec3& o = ray.origin;
-        return margin_ + ray_rounding * std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)});
+        return margin_ + ray_rounding * largest_coordinate(ray.origin);
     }
 
     /// A triangle that the ray meets before `end`, whatever single precision rounds.

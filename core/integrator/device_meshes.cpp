@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <thread>
 
 #include "core/integrator/camera.h"
@@ -39,13 +38,11 @@ std::vector<SceneTriangle> scene_triangles(const Scene& scene, std::uint32_t fir
     return triangles;
 }
 
-double largest_part(const Vec3& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
-
 /// The largest coordinate of where rays begin that begin on no triangle.
 float farthest_start(const Scene& scene, const Vec3& origin) {
-    double most = largest_part(scene.camera.position - origin);
+    double most = largest_coordinate(scene.camera.position - origin);
     for (const Sphere& sphere : scene.spheres)
-        most = std::max(most, largest_part(sphere.centre - origin) + sphere.radius);
+        most = std::max(most, largest_coordinate(sphere.centre - origin) + sphere.radius);
     return static_cast<float>(most);
 }
 

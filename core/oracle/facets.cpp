@@ -17,8 +17,6 @@ Vec3 lowest(const Vec3& a, const Vec3& b) {
 
 Vec3 highest(const Vec3& a, const Vec3& b) { return -lowest(-a, -b); }
 
-double largest_coordinate(const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
-
 /// Of a ray: takes it to the z axis by shears, after its longest coordinate was made z.
 class Shear {
   public:

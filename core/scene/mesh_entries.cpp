@@ -98,7 +98,7 @@ void place(const Geometry& geometry, const Transform& transform, const Where& wh
     const Placing placed(transform);
     for (const Vec3& vertex : geometry.vertices()) mesh.vertices.push_back(placed(vertex));
     for (const Vec3& v : mesh.vertices)
-        if (!(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) <= largest))
+        if (!(largest_coordinate(v) <= largest))
             where.fail(fmt::format("a vertex is at {}; allowed: {}", text_of(v), coordinate_range.text));
     for (const Face& face : geometry.faces()) {
         const bool has_area =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace ptb {
@@ -21,6 +22,10 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
+/// By magnitude.
+inline double largest_coordinate(const Vec3& a) {
+    return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+}
 inline Vec3 normalized(const Vec3& a) { return a * (1 / length(a)); }
 
 }  // namespace ptb

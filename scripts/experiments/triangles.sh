@@ -24,7 +24,7 @@ with() { # NAME SED FILE
 }
 
 cp -r kernels "$folder/usual"
-for waits in 1,14 2,14 8,14 4,1 4,8 4,11 4,18; do
+for waits in 1,14 4,14 8,14 14,14 11,1 11,8 11,12 11,18; do
     with "P${waits%,*}_Q${waits#*,}" "s/\(define SEARCH_DONE\) .*/\1 ${waits%,*}u/; s/\(define SEARCH_AT_NODES\) .*/\1 ${waits#*,}u/" scene/search.h
 done
 with no_waits 's/ifdef SCENE_PAUSES/ifdef SCENE_PAUSES_NEVER/' scene/meet.h

@@ -16,7 +16,7 @@ sys.path.insert(0, str(SOURCE / "scripts"))
 from archive import device_faults, file_faults  # noqa: E402
 
 ARCHIVE = SOURCE / "results/archive"
-DEVICE = "intel/xeon-avx512-intel"  # the one with the fewest results
+DEVICE = "amd/epyc-avx2-rusticl"  # the one with the fewest results
 
 
 def from_base91(text):
@@ -150,8 +150,11 @@ class Archive(unittest.TestCase):
                 self.assert_refused(says)
 
     def test_folders_of_a_machine_are_refused(self):
-        self.change(lambda result: result["run"].update(argv=["/home/me/ptbench"]))
-        self.assert_refused("argv names a folder")
+        for key, of_machine, clean in (("argv", ["/home/me/ptbench"], ["ptbench"]), ("folder", "/home/me", ".")):
+            with self.subTest(key):
+                self.change(lambda result: result["run"].update({key: of_machine}))
+                self.assert_refused("names a folder of that machine: /home/me")
+                self.change(lambda result: result["run"].update({key: clean}))
 
     def test_times_without_a_valid_image_are_refused(self):
         self.change(lambda result: result["cases"][0]["validation"].update(valid=False))

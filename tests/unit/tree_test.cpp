@@ -177,7 +177,7 @@ TEST(Tree, leaves_hold_every_triangle_and_no_more_than_the_layout_allows) {
         EXPECT_EQ(different(contents.numbers), scene.size());
         EXPECT_EQ(contents.numbers.back(), scene.size() - 1);
         EXPECT_EQ(contents.numbers.size(), tree.facts.references);
-        EXPECT_LE(contents.largest_leaf, tree.nodes8.empty() ? 4u : 8u);
+        EXPECT_LE(contents.largest_leaf, tree.nodes8.empty() ? TREE_LEAF_MOST : 8u);
         EXPECT_GT(contents.largest_leaf, 1u);
     });
 }
