@@ -55,11 +55,9 @@ static inline tree_mask goes_through(const Edges* e) {
     return ((least >= 0.0f) | (most <= 0.0f)) & ((e->sum > 0.0f) | (e->sum < 0.0f));
 }
 
-/* Rounding puts a point this share of its largest corner from a triangle, at most. */
-#define TRIANGLE_MARGIN 0x1p-21f
-
 static inline float largest_part(Vec a) { return fmax(fmax(fabs(a.x), fabs(a.y)), fabs(a.z)); }
 
+/* How far from its plane a point of a triangle is put. */
 static inline float triangle_margin(const Vec corner[3]) {
     return TRIANGLE_MARGIN * fmax(fmax(largest_part(corner[0]), largest_part(corner[1])), largest_part(corner[2]));
 }

@@ -11,6 +11,11 @@
 #define TREE_LEAF_MOST 2u
 #define TREE_NOTHING 0xffffffffu /* the link of a place without a child, whose box no ray enters */
 
+/* A point of a triangle is put this share of the triangle's largest coordinate from it, on the ray's side: more than rounding
+   puts it on the other, and more than boxes are larger than what they hold, so that a ray from a wall along two axes does not
+   begin in the box of that wall's own leaf. */
+#define TRIANGLE_MARGIN 0x1p-20f
+
 /* An inner node of two children, whose boxes it has: by their centres and halves of their edges, which take a ray six minima and
    maxima fewer a box than corners do. Boxes are so much larger than what they hold that rounding of the ray's way through them
    loses nothing. */

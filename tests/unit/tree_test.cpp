@@ -214,6 +214,20 @@ TEST(Tree, boxes_are_larger_by_units_in_the_last_place_of_the_largest_coordinate
     }
 }
 
+TEST(Tree, rays_from_a_wall_do_not_test_that_wall_again) {
+    for (const float half_edge : {1.0f, 1.9f, 2.5f, 3.999f}) {
+        const Tree tree = build_tree(room(half_edge), TreeLayout::bvh2, {}, 1);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (const float side : {-1.0f, 1.0f}) {
+                Ray ray = {{0.3f * half_edge, 0.2f * half_edge, 0.1f * half_edge}, {0.01f, 0.02f, 0.03f}};
+                ray.origin[axis] = side * (half_edge - TRIANGLE_MARGIN * half_edge);
+                ray.direction[axis] = -side;
+                EXPECT_LE(walk(tree, ray).tests, 2u) << half_edge << ' ' << axis << ' ' << side;
+            }
+        }
+    }
+}
+
 TEST(Tree, rays_from_farther_away_need_larger_boxes) {
     TreeSettings settings;
     settings.origin_most = 24;
