@@ -29,8 +29,7 @@ typedef struct SearchStack SearchStack;
 /* Of one that was of use: a lane may begin its next one before it knows that there is no work left. */
 #define COUNTED_SEARCH COUNTED(1u, TREE_AIM_WORK) COUNTED_STEPS(PTB_COUNTED_SEARCHES, 1u)
 
-/* Begins one within `distance`, of triangles that are not of these two numbers; the second counts where any will do, or is
-   TREE_NOTHING. */
+/* Begins one within `distance`, of triangles that are not of these two numbers. */
 static inline void search_begin(Search* s, SearchStack* stack, Vec origin, Vec direction, float distance, uint left,
                                 uint target COUNTED_PARAMETER) {
     COUNTED_UNUSED

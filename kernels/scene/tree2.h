@@ -86,7 +86,7 @@ static inline Corner corner_seen(const Search* s, Vec corner) {
 }
 
 /* Meets the triangle at this place. Returns whether it is the nearest now. */
-static inline bool search_triangle(Tree tree, Search* s, uint place, const bool any COUNTED_PARAMETER) {
+static inline bool search_triangle(Tree tree, Search* s, uint place COUNTED_PARAMETER) {
     COUNTED(1u, TREE_TRIANGLE_WORK)
     COUNTED_STEPS(PTB_COUNTED_TRIANGLES, 1u)
     __global const float4* corners = tree.leaves + (size_t)place * 3u;
@@ -94,7 +94,7 @@ static inline bool search_triangle(Tree tree, Search* s, uint place, const bool 
     const Vec a = vec_of(a_number), b = vec_of(corners[1]), c = vec_of(corners[2]);
     const Edges edges = edges_of(corner_seen(s, a), corner_seen(s, b), corner_seen(s, c));
     const uint number = as_uint(a_number.w);
-    if (!goes_through(&edges) | (number == s->left) | (any && number == s->target)) return false;
+    if (!goes_through(&edges) | (number == s->left) | (number == s->target)) return false;
     COUNTED(1u, TREE_POINT_WORK)
     const float inverse = 1.0f / edges.sum, share_b = edges.b * inverse, share_c = edges.c * inverse;
     const Vec to_a = vec_sub(a, s->origin), in_b = vec_add_scaled(to_a, vec_sub(b, a), share_b);
@@ -111,7 +111,7 @@ static inline bool search_triangle(Tree tree, Search* s, uint place, const bool 
 static inline void search_leaf(Tree tree, Search* s, const SearchStack* stack, const bool any COUNTED_PARAMETER) {
     const uint run = s->at & ~TREE_LEAF, first = run / TREE_LEAF_MOST, last = first + run % TREE_LEAF_MOST;
     for (uint place = first; place <= last; ++place) {
-        if (search_triangle(tree, s, place, any COUNTED_ARGUMENT) && any) {
+        if (search_triangle(tree, s, place COUNTED_ARGUMENT) && any) {
             s->at = TREE_NOTHING;
             return;
         }
