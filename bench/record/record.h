@@ -125,7 +125,7 @@ struct Counted {
 
 /// The tree that a scene's triangles lie in (core/tree).
 struct TreeRecord {
-    std::string layout;  ///< "bvh2" or "wide8"
+    std::string layout;  ///< "bvh2", "bvh2q" or "wide8"
     std::uint64_t triangles = 0;
     std::uint64_t references = 0;  ///< of leaves to triangles; splits of space make more of them
     std::uint64_t nodes = 0, leaves = 0;

@@ -5,9 +5,14 @@
 namespace ptb {
 namespace {
 
+const char* layout_of(const Tree& tree) {
+    if (!tree.nodes8.empty()) return "wide8";
+    return tree.nodes2q.empty() ? "bvh2" : "bvh2q";
+}
+
 TreeRecord describe_tree(const Tree& tree, double build_ms) {
     const TreeFacts& facts = tree.facts;
-    return {.layout = tree.nodes8.empty() ? "bvh2" : "wide8",
+    return {.layout = layout_of(tree),
             .triangles = facts.triangles,
             .references = facts.references,
             .nodes = facts.nodes,

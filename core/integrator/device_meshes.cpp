@@ -54,15 +54,9 @@ bool refracts(const Scene& scene) {
 
 }  // namespace
 
-std::uint64_t DeviceMeshes::node_bytes() const {
-    if (!tree) return 0;
-    return tree->nodes2.size() * sizeof(TreeNode2) + tree->nodes8.size() * sizeof(TreeNode8);
-}
+std::uint64_t DeviceMeshes::node_bytes() const { return tree ? tree->nodes().size() : 0; }
 
-std::uint64_t DeviceMeshes::leaf_bytes() const {
-    if (!tree) return 0;
-    return tree->triangles.size() * sizeof(TreeTriangle) + tree->blocks.size() * sizeof(TreeBlock8);
-}
+std::uint64_t DeviceMeshes::leaf_bytes() const { return tree ? tree->leaf_rows().size() : 0; }
 
 std::vector<Triangle> device_triangles(const Scene& scene, const Vec3& origin) {
     std::vector<Triangle> triangles;
@@ -76,11 +70,7 @@ std::vector<Triangle> device_triangles(const Scene& scene, const Vec3& origin) {
 }
 
 std::vector<cl::Buffer> tree_buffers(const ocl::Device& device, const Tree& tree) {
-    const auto buffer = [&](const auto& rows) {
-        return large_buffer(device, std::as_bytes(std::span(rows)));
-    };
-    if (tree.nodes2.empty()) return {buffer(tree.nodes8), buffer(tree.blocks)};
-    return {buffer(tree.nodes2), buffer(tree.triangles)};
+    return {large_buffer(device, tree.nodes()), large_buffer(device, tree.leaf_rows())};
 }
 
 std::shared_ptr<const Tree> mesh_tree(const Scene& scene, const Vec3& origin, TreeLayout layout,

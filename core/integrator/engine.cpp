@@ -74,7 +74,9 @@ cl::Buffer upload(const ocl::Device& device, const std::vector<Row>& rows) {
 /// A scene on a device. No spheres or lamps are one row of zeros, since there is no empty buffer.
 struct SceneBuffers {
     cl::Buffer spheres, surfaces, sides, lamps;
-    std::vector<cl::Buffer> meshes;  ///< nodes, leaves and triangles, where there are any
+    std::vector<cl::Buffer> tree;  ///< nodes and leaves, where there are triangles; and
+    TreeGrid grid{};
+    cl::Buffer triangles;
     SceneFewSpheres few{};
     std::uint64_t bytes = 0;
 
@@ -86,8 +88,9 @@ struct SceneBuffers {
           few(scene.few),
           bytes(scene.bytes()) {
         if (!scene.has_meshes) return;
-        meshes = tree_buffers(device, *scene.meshes.tree);
-        meshes.push_back(large_buffer(device, std::as_bytes(std::span(scene.meshes.triangles))));
+        tree = tree_buffers(device, *scene.meshes.tree);
+        grid = scene.meshes.tree->grid;
+        triangles = large_buffer(device, std::as_bytes(std::span(scene.meshes.triangles)));
     }
 };
 
@@ -277,7 +280,8 @@ class EngineRender : public PartRender {
         const auto give = [&](const auto& argument) { render_.setArg(i++, argument); };
         give(tallies_), give(counters_), give(scene_->spheres), give(scene_->surfaces), give(scene_->sides);
         give(starts_), give(scene_->lamps), give(scene_->few);
-        for (const cl::Buffer& each : scene_->meshes) give(each);
+        for (const cl::Buffer& each : scene_->tree) give(each);
+        if (!scene_->tree.empty()) give(scene_->grid), give(scene_->triangles);
         give(part);
         if (splats_) give(splats_->buffer());
         if (gradients_) give(gradients_->sums());

@@ -72,18 +72,23 @@ std::string memory_refusal(const Integrator& row, const ocl::Device& device, con
     return "";
 }
 
-/// GPUs count instructions, CPUs have registers of eight floats.
+/// GPUs count loads, CPUs have registers of eight floats.
 TreeLayout layout_of(const ocl::Device& device, const Variant& variant) {
     switch (variant.bvh) {
         case Bvh::bvh2:
             return TreeLayout::bvh2;
+        case Bvh::bvh2q:
+            return TreeLayout::bvh2q;
         case Bvh::wide8:
             return TreeLayout::wide8;
         case Bvh::automatic:
             break;
     }
-    return is_throughput_device(device) ? TreeLayout::bvh2 : TreeLayout::wide8;
+    return is_throughput_device(device) ? TreeLayout::bvh2q : TreeLayout::wide8;
 }
+
+/// Nodes of half the bytes are worth so many more steps.
+constexpr double bearable_grid_cost = 1.3;
 
 TreeSettings settings_of(const Variant& variant) {
     const BvhSplit split = variant.bvh_split;
@@ -91,6 +96,7 @@ TreeSettings settings_of(const Variant& variant) {
     const bool spatial = split == BvhSplit::spatial || split == BvhSplit::spatial_xyz;
     settings.method = spatial ? TreeMethod::spatial : TreeMethod::sah;
     settings.size_axis = split == BvhSplit::spatial || split == BvhSplit::sah;
+    if (variant.bvh == Bvh::automatic) settings.grid_cost_most = bearable_grid_cost;
     return settings;
 }
 
@@ -167,8 +173,9 @@ std::uint32_t strata_columns(std::uint32_t spp) {
 }
 
 std::string tree_options(const ocl::Device& device, const Tree& tree) {
-    return fmt::format(" -DSCENE_TREE={} -DTREE_STACK={}{}", tree.nodes2.empty() ? 8 : 2,
+    return fmt::format(" -DSCENE_TREE={} -DTREE_STACK={}{}{}", tree.nodes8.empty() ? 2 : 8,
                        (tree.facts.stack_most / stack_step + 1) * stack_step,
+                       tree.nodes2q.empty() ? "" : " -DTREE_QUANTISED",
                        is_throughput_device(device) ? "" : " -DENGINE_ALONE");
 }
 
@@ -226,6 +233,8 @@ std::string engine_options(const Integrator& row, const ocl::Device& device, con
             "-DSCENE_ZERO_Z={:#x}",
             device_scene.spheres.size(), device_scene.opaque, device_scene.zeros[0], device_scene.zeros[1],
             device_scene.zeros[2]);
+    else if (device_scene.spheres.empty())
+        text += " -DSCENE_NO_SPHERES";
     else if (places.spheres == SCENE_IN_LOCAL)
         text += fmt::format(" -DSCENE_COUNT={} -DSCENE_FACES={}", device_scene.spheres.size(),
                             device_scene.faces());

@@ -95,6 +95,7 @@ class RaysRender : public Render {
             kernel_ = cl::Kernel(program.program, row.kernel(sees() ? "see" : "meet").c_str());
             counted_.give(kernel_);
             tree_ = tree_buffers(device_, *device_scene.meshes.tree);
+            grid_ = device_scene.meshes.tree->grid;
             rays_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, count_ * sizeof(ListedRay));
             hits_ = cl::Buffer(device_.context, CL_MEM_READ_WRITE, count_ * sizeof(ListedHit));
         });
@@ -186,7 +187,8 @@ class RaysRender : public Render {
             making.end = static_cast<std::uint32_t>(std::min(first + made_at_once, count_));
             cl_uint i = 0;
             const auto give = [&](const auto& argument) { make.setArg(i++, argument); };
-            give(tree_[0]), give(tree_[1]), give(lamp_rows), give(rays_), give(counter), give(making);
+            give(tree_[0]), give(tree_[1]), give(grid_), give(lamp_rows), give(rays_), give(counter),
+                give(making);
             const Ranges ranges = one_dimensional((making.end - making.first - 1) / making.run + 1, 0);
             device_.queue.enqueueNDRangeKernel(make, cl::NullRange, ranges.global, ranges.local);
         }
@@ -203,7 +205,7 @@ class RaysRender : public Render {
         const std::uint64_t run = task ? end - first : rays_per_item(device_);
         cl_uint i = 0;
         const auto give = [&](const auto& argument) { kernel_.setArg(i++, argument); };
-        give(tree_[0]), give(tree_[1]), give(rays_), give(hits_);
+        give(tree_[0]), give(tree_[1]), give(grid_), give(rays_), give(hits_);
         for (const std::uint64_t number : {first, end, run}) give(static_cast<cl_uint>(number));
         launcher_.launch(kernel_, ranges_of(end - first, run));
     }
@@ -246,6 +248,7 @@ class RaysRender : public Render {
     CountedRows counted_;
     cl::Kernel kernel_;
     std::vector<cl::Buffer> tree_;
+    TreeGrid grid_{};
     cl::Buffer rays_, hits_;
     std::shared_ptr<const std::vector<Triangle>> triangles_;
 };

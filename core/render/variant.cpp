@@ -42,8 +42,10 @@ const std::vector<VariantAxis>& variant_axes() {
                                  {"off", "albedo"}),
         axis<&Variant::build>("build", "how freely the compiler may treat arithmetic",
                               {"default", "strict", "relaxed"}),
-        axis<&Variant::bvh>("bvh", "tree of a scene's triangles: two children a node, or eight",
-                            {"auto", "bvh2", "wide8"}),
+        axis<&Variant::bvh>("bvh",
+                            "tree of a scene's triangles: two children a node, boxes of whole floats or (q) "
+                            "quantised, or eight",
+                            {"auto", "bvh2", "bvh2q", "wide8"}),
         axis<&Variant::bvh_split>("bvh_split", "how it is built: xyz parts boxes by place alone, not by size",
                                   {"spatial", "sah", "spatial_xyz", "sah_xyz"}),
         axis<&Variant::ray_kind>("ray_kind",

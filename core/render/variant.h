@@ -15,7 +15,7 @@ enum class PixelFilter { jitter, centre, stratified };
 enum class Rng { automatic, hash, park_miller };
 enum class Roulette { off, albedo };
 enum class BuildMode { standard, strict, relaxed };
-enum class Bvh { automatic, bvh2, wide8 };
+enum class Bvh { automatic, bvh2, bvh2q, wide8 };
 enum class BvhSplit { spatial, sah, spatial_xyz, sah_xyz };
 enum class Reconstruction { weighted, l2, l1, none };
 enum class RayKind { primary, bounce1, bounce3, shadow };

@@ -25,13 +25,31 @@ Bounds bounds_of(const ptb_float4& centre, const ptb_float4& half) {
     return {corner(-1), corner(1)};
 }
 
-std::array<Below, 2> children_of(const TreeNode2& node) {
+/// By the lower and the upper halves of three words.
+Bounds bounds_of(const TreeGrid& grid, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+    const auto plane = [](std::uint32_t code) {
+        return double{std::bit_cast<float>(TREE_PLANE | (code & 0xffffu) << 8)} - 0.5;
+    };
+    const auto corner = [&](unsigned shift) {
+        return std::array{plane(x >> shift) / grid.cells.x, plane(y >> shift) / grid.cells.y,
+                          plane(z >> shift) / grid.cells.z};
+    };
+    return {corner(0), corner(16)};
+}
+
+std::array<Below, 2> children_of(const Tree&, const TreeNode2& node) {
     return {
         Below{std::bit_cast<std::uint32_t>(node.centre0_link.w), bounds_of(node.centre0_link, node.half0)},
         Below{std::bit_cast<std::uint32_t>(node.centre1_link.w), bounds_of(node.centre1_link, node.half1)}};
 }
 
-std::array<Below, 8> children_of(const TreeNode8& node) {
+/// Seen from the grid's own corner.
+std::array<Below, 2> children_of(const Tree& tree, const TreeNode2q& node) {
+    return {Below{node.link0, bounds_of(tree.grid, node.x0, node.y0, node.z0)},
+            Below{node.link1, bounds_of(tree.grid, node.x1, node.y1, node.z1)}};
+}
+
+std::array<Below, 8> children_of(const Tree&, const TreeNode8& node) {
     std::array<Below, 8> children{};
     for (std::size_t i = 0; i < 8; ++i) {
         children[i].link = node.link[i];
@@ -49,10 +67,10 @@ double area(const Bounds& b) {
 }
 
 template <class Node>
-Bounds around(const Node& node) {
+Bounds around(const Tree& tree, const Node& node) {
     constexpr double far = std::numeric_limits<double>::infinity();
     Bounds bounds{{far, far, far}, {-far, -far, -far}};
-    for (const Below& child : children_of(node)) {
+    for (const Below& child : children_of(tree, node)) {
         if (child.link == TREE_NOTHING) continue;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             bounds.low[axis] = std::min(bounds.low[axis], child.bounds.low[axis]);
@@ -68,14 +86,14 @@ struct Extent {
 };
 
 template <class Node>
-Extent extent_of(const std::vector<Node>& nodes, std::uint32_t node) {
+Extent extent_of(const Tree& tree, const std::vector<Node>& nodes, std::uint32_t node) {
     Extent extent;
     int children = 0;
-    for (const Below& child : children_of(nodes[node])) {
+    for (const Below& child : children_of(tree, nodes[node])) {
         if (child.link == TREE_NOTHING) continue;
         ++children;
         if (child.link & TREE_LEAF) continue;
-        const Extent below = extent_of(nodes, child.link);
+        const Extent below = extent_of(tree, nodes, child.link);
         extent.depth = std::max(extent.depth, below.depth);
         extent.stack_most = std::max(extent.stack_most, below.stack_most);
     }
@@ -83,25 +101,28 @@ Extent extent_of(const std::vector<Node>& nodes, std::uint32_t node) {
 }
 
 /// Tests that a leaf takes: of single triangles, or one of a block.
-int tests_of(const TreeNode2&, std::uint32_t link) { return static_cast<int>(link % TREE_LEAF_MOST) + 1; }
 int tests_of(const TreeNode8&, std::uint32_t) { return 1; }
+template <class Node>
+int tests_of(const Node&, std::uint32_t link) {
+    return static_cast<int>(link % TREE_LEAF_MOST) + 1;
+}
 
 template <class Node>
-TreeFacts facts_of_nodes(const std::vector<Node>& nodes, double test_cost) {
+TreeFacts facts_of_nodes(const Tree& tree, const std::vector<Node>& nodes, double test_cost) {
     TreeFacts facts;
     facts.nodes = nodes.size();
     double work = 0;  // area times cost
     for (const Node& node : nodes) {
-        for (const Below& child : children_of(node)) {
+        for (const Below& child : children_of(tree, node)) {
             if (child.link == TREE_NOTHING) continue;
             const bool leaf = (child.link & TREE_LEAF) != 0;
             facts.leaves += leaf ? 1 : 0;
             work += area(child.bounds) * (leaf ? test_cost * tests_of(node, child.link) : 1.0);
         }
     }
-    const double whole = area(around(nodes[0]));
+    const double whole = area(around(tree, nodes[0]));
     if (facts.leaves > 0) facts.sah_cost = 1 + (whole > 0 ? work / whole : 0);
-    const Extent extent = extent_of(nodes, 0);
+    const Extent extent = extent_of(tree, nodes, 0);
     facts.depth = extent.depth;
     facts.stack_most = extent.stack_most;
     return facts;
@@ -117,13 +138,22 @@ std::size_t references_of(const Tree& tree) {
 }  // namespace
 
 TreeFacts facts_of(const Tree& tree, std::size_t triangles, const TreeSettings& settings) {
-    TreeFacts facts = tree.nodes8.empty() ? facts_of_nodes(tree.nodes2, settings.cost.triangle)
-                                          : facts_of_nodes(tree.nodes8, settings.cost.block);
+    TreeFacts facts = !tree.nodes8.empty()    ? facts_of_nodes(tree, tree.nodes8, settings.cost.block)
+                      : !tree.nodes2q.empty() ? facts_of_nodes(tree, tree.nodes2q, settings.cost.triangle)
+                                              : facts_of_nodes(tree, tree.nodes2, settings.cost.triangle);
     facts.triangles = triangles;
     facts.references = references_of(tree);
-    facts.bytes = tree.nodes2.size() * sizeof(TreeNode2) + tree.triangles.size() * sizeof(TreeTriangle) +
-                  tree.nodes8.size() * sizeof(TreeNode8) + tree.blocks.size() * sizeof(TreeBlock8);
+    facts.bytes = tree.nodes().size() + tree.leaf_rows().size();
     return facts;
+}
+
+double sah_cost(const BinaryTree& binary, double test_cost) {
+    if (binary.nodes.empty()) return 0;
+    double work = 0;
+    for (const BinaryNode& node : binary.nodes)
+        work += double{half_area(box_of(node))} * (node.count > 0 ? test_cost * node.count : 1.0);
+    const double whole = half_area(box_of(binary.nodes[0]));
+    return whole > 0 ? work / whole : 1;
 }
 
 }  // namespace ptb::tree

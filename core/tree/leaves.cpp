@@ -50,8 +50,8 @@ std::uint32_t keep_different(std::vector<std::uint32_t>& numbers, std::uint32_t 
 }  // namespace
 
 LeafRules leaf_rules(TreeLayout layout, const TreeSettings& settings) {
-    return layout == TreeLayout::bvh2 ? LeafRules{TREE_LEAF_MOST, 1, settings.cost.triangle}
-                                      : LeafRules{8, 8, settings.cost.block};
+    return layout == TreeLayout::wide8 ? LeafRules{8, 8, settings.cost.block}
+                                       : LeafRules{TREE_LEAF_MOST, 1, settings.cost.triangle};
 }
 
 void gather_leaves(BinaryTree& tree, const LeafRules& rules) {

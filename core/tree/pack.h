@@ -16,6 +16,7 @@ class Padding {
     Box pad(const BinaryNode& node) const;
 
     float margin() const { return margin_; }
+    float unit() const { return unit_; }
 
   private:
     float unit_, margin_;
@@ -31,6 +32,7 @@ struct Load {
 
 /// Without facts. Throw std::logic_error where a leaf is larger than the layout's.
 Tree pack2(const Load& load);
+Tree pack2q(const Load& load);
 Tree pack8(const Load& load);
 
 /// Throws std::logic_error if a leaf of this many references is none of a layout.

@@ -3,9 +3,12 @@
 #include <limits>
 
 #include "core/tree/pack.h"
+#include "core/tree/plane_grid.h"
 
 namespace ptb::tree {
 namespace {
+
+constexpr std::size_t chunk = 1u << 12;
 
 /// How many inner nodes there are before each node: the number of those that are inner themselves.
 std::vector<std::uint32_t> count_inner_before(const std::vector<BinaryNode>& nodes) {
@@ -43,45 +46,73 @@ TreeNode2 packed(const Child& first, const Child& second) {
             with_bits(second.centre, second.link), with_bits(second.half, 0)};
 }
 
-Child child_of(const Load& load, const BinaryNode& node, std::uint32_t inner_before) {
-    const auto leaf = TREE_LEAF | (node.link * TREE_LEAF_MOST + node.count - 1);
+Child child_of(const Load& load, const BinaryNode& node, std::uint32_t link) {
     const Box box = load.padding.pad(node);
     const Float4 centre = box.low * 0.5f + box.high * 0.5f;
     const Float4 half = max(box.high - centre, centre - box.low) + all(2 * load.padding.margin());
-    return {centre, half, node.count > 0 ? leaf : inner_before};
+    return {centre, half, link};
 }
 
-/// Where the root is not an inner node.
-TreeNode2 lone_root(const Load& load) {
-    if (load.binary.nodes.empty()) return packed(Child{}, Child{});
-    return packed(child_of(load, load.binary.nodes[0], 0), Child{});
+/// A child that is none has its planes the wrong way round.
+struct QuantisedChild {
+    std::uint32_t x = none, y = none, z = none, link = TREE_NOTHING;
+    static constexpr std::uint32_t none = 0xffff;
+};
+
+TreeNode2q packed(const QuantisedChild& a, const QuantisedChild& b) {
+    return {a.x, a.y, a.z, a.link, b.x, b.y, b.z, b.link};
+}
+
+/// Nodes of two children, each made of two of what `child` makes of a node and its link.
+template <class Make>
+auto pack_nodes(const Load& load, Make child) {
+    const auto& nodes = load.binary.nodes;
+    for (const BinaryNode& node : nodes) check_leaf(node.count, TREE_LEAF_MOST);
+    const auto before = count_inner_before(nodes);
+    const auto child_at = [&](std::size_t i) {
+        const std::uint32_t leaf = TREE_LEAF | (nodes[i].link * TREE_LEAF_MOST + nodes[i].count - 1);
+        return child(nodes[i], nodes[i].count > 0 ? leaf : before[i]);
+    };
+    using None = decltype(child_at(0));
+    std::vector<decltype(packed(None{}, None{}))> made(std::max<std::size_t>(1, nodes.size() / 2));
+    if (nodes.size() < 2) made[0] = packed(nodes.empty() ? None{} : child_at(0), None{});
+    load.crew.for_chunks(nodes.size(), chunk, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (nodes[i].count == 0) made[before[i]] = packed(child_at(i + 1), child_at(i + nodes[i].link));
+    });
+    return made;
+}
+
+std::vector<TreeTriangle> pack_triangles(const Load& load) {
+    std::vector<TreeTriangle> triangles(load.binary.numbers.size());
+    load.crew.for_chunks(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t number = load.binary.numbers[i];
+            triangles[i] = packed(load.triangles[number], number);
+        }
+    });
+    return triangles;
 }
 
 }  // namespace
 
 Tree pack2(const Load& load) {
-    const auto& nodes = load.binary.nodes;
-    for (const BinaryNode& node : nodes) check_leaf(node.count, TREE_LEAF_MOST);
     Tree tree;
-    tree.nodes2.resize(std::max<std::size_t>(1, nodes.size() / 2));
-    tree.triangles.resize(load.binary.numbers.size());
-    if (nodes.size() < 2) tree.nodes2[0] = lone_root(load);
-    const auto before = count_inner_before(nodes);
-    constexpr std::size_t chunk = 1u << 12;
-    load.crew.for_chunks(nodes.size(), chunk, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (nodes[i].count > 0) continue;
-            const std::size_t left = i + 1, right = i + nodes[i].link;
-            tree.nodes2[before[i]] = packed(child_of(load, nodes[left], before[left]),
-                                            child_of(load, nodes[right], before[right]));
-        }
+    tree.nodes2 = pack_nodes(
+        load, [&](const BinaryNode& node, std::uint32_t link) { return child_of(load, node, link); });
+    tree.triangles = pack_triangles(load);
+    return tree;
+}
+
+Tree pack2q(const Load& load) {
+    const PlaneGrid grid(load);
+    Tree tree;
+    tree.nodes2q = pack_nodes(load, [&](const BinaryNode& node, std::uint32_t link) {
+        const Box box = box_of(node);
+        return QuantisedChild{grid.around(box, 0), grid.around(box, 1), grid.around(box, 2), link};
     });
-    load.crew.for_chunks(tree.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t number = load.binary.numbers[i];
-            tree.triangles[i] = packed(load.triangles[number], number);
-        }
-    });
+    tree.triangles = pack_triangles(load);
+    tree.grid = grid.facts();
     return tree;
 }
 

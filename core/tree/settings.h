@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <limits>
 
 namespace ptb {
 
@@ -17,6 +18,10 @@ struct TreeSettings {
     /// Largest coordinate, by magnitude, of where rays begin that begin on no triangle: a camera far away.
     /// Boxes grow with it.
     float origin_most = 0;
+
+    /// A quantised tree is laid out in whole floats where its grid costs more than this:
+    /// TreeFacts::grid_cost.
+    double grid_cost_most = std::numeric_limits<double>::infinity();
 
     struct Spatial {
         float alpha = 1e-3f;  ///< tried where the children's boxes share more than this of the root's area

@@ -6,6 +6,30 @@
 #include "core/tree/reinsertion.h"
 
 namespace ptb {
+namespace {
+
+Tree packed(const tree::Load& load, TreeLayout layout) {
+    switch (layout) {
+        case TreeLayout::bvh2:
+            return pack2(load);
+        case TreeLayout::bvh2q:
+            return pack2q(load);
+        case TreeLayout::wide8:
+            break;
+    }
+    return pack8(load);
+}
+
+}  // namespace
+
+std::span<const std::byte> Tree::nodes() const {
+    if (!nodes8.empty()) return std::as_bytes(std::span(nodes8));
+    return nodes2q.empty() ? std::as_bytes(std::span(nodes2)) : std::as_bytes(std::span(nodes2q));
+}
+
+std::span<const std::byte> Tree::leaf_rows() const {
+    return nodes8.empty() ? std::as_bytes(std::span(triangles)) : std::as_bytes(std::span(blocks));
+}
 
 Tree build_tree(std::span<const Triangle> triangles, TreeLayout layout, const TreeSettings& settings,
                 int threads) {
@@ -17,8 +41,14 @@ Tree build_tree(std::span<const Triangle> triangles, TreeLayout layout, const Tr
     gather_leaves(binary, tree::leaf_rules(layout, settings));
     const tree::Padding padding(soup, settings);
     const tree::Load load{binary, triangles, padding, crew};
-    Tree built = layout == TreeLayout::bvh2 ? pack2(load) : pack8(load);
+    Tree built = packed(load, layout);
     built.facts = tree::facts_of(built, triangles.size(), settings);
+    if (layout == TreeLayout::bvh2q && !triangles.empty())
+        built.facts.grid_cost = built.facts.sah_cost / tree::sah_cost(binary, settings.cost.triangle);
+    if (built.facts.grid_cost > settings.grid_cost_most) {
+        built = pack2(load);
+        built.facts = tree::facts_of(built, triangles.size(), settings);
+    }
     return built;
 }
 

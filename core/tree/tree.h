@@ -13,7 +13,7 @@
 namespace ptb {
 
 /// How a tree lies in memory: see kernels/shared/tree.h.
-enum class TreeLayout { bvh2, wide8 };
+enum class TreeLayout { bvh2, bvh2q, wide8 };
 
 /// What a tree is like, for records.
 struct TreeFacts {
@@ -27,17 +27,24 @@ struct TreeFacts {
     /// Expected nodes + cost.triangle (or cost.block) x leaves' contents of a random ray through the scene's
     /// box.
     double sah_cost = 0;
+    /// What rounding boxes to a grid makes of that; 1 of layouts without one.
+    double grid_cost = 1;
     auto operator<=>(const TreeFacts&) const = default;
 };
 
-/// A tree in one of the layouts; the other one's arrays are empty. Node 0 is the root, also where there is
+/// A tree in one of the layouts; the others' arrays are empty. Node 0 is the root, also where there is
 /// nothing below it but a leaf or nothing at all.
 struct Tree {
     std::vector<TreeNode2> nodes2;
-    std::vector<TreeTriangle> triangles;
+    std::vector<TreeNode2q> nodes2q;
+    TreeGrid grid{};                      ///< of nodes2q
+    std::vector<TreeTriangle> triangles;  ///< of both
     std::vector<TreeNode8> nodes8;
     std::vector<TreeBlock8> blocks;
     TreeFacts facts;
+
+    std::span<const std::byte> nodes() const;
+    std::span<const std::byte> leaf_rows() const;
 };
 
 /// The same tree, byte for byte, whatever the number of threads. No triangles make a tree without leaves.

@@ -50,43 +50,46 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, 
 #ifdef SCENE_PAUSES
         KEEP_IN_MEMORY(unit); /* only ends of paths touch it, and with fewer registers more warps search at once */
 #endif
-        if (!go_on(world.scene, &meeting, &waiting COUNTED_ARGUMENT)) continue;
-        lanes_u face;
-        lanes_mask ends;
-        const uint stop = uint_hold(min(turn + ENGINE_BATCH, LANE(path.last_turn, 0)));
-        do {
-            const Hit hit = end_meeting(world.scene, &path.ray, &path.inside, &meeting COUNTED_ARGUMENT);
-            face = hit_face(&hit);
-            ends = trace_segment(&world, &path, &hit, alive, turn COUNTED_ARGUMENT);
-            turn = uint_hold(turn + 1u);
-        } while (ENGINE_BATCH > 1 && turn < stop && !lanes_any(ends));
-        const lanes_mask full = lanes_hold(turn >= path.last_turn);
-        const lanes_mask ended = lanes_meet(lanes_hold(full | ends));
-        COUNTED_LANES(alive & ended, ENGINE_PATH_WORK)
+        const uint here = meeting_here();
+        if (go_on(world.scene, &meeting, &waiting COUNTED_ARGUMENT)) {
+            lanes_u face;
+            lanes_mask ends;
+            const uint stop = uint_hold(min(turn + ENGINE_BATCH, LANE(path.last_turn, 0)));
+            do {
+                const Hit hit = end_meeting(world.scene, &path.ray, &path.inside, &meeting COUNTED_ARGUMENT);
+                face = hit_face(&hit);
+                ends = trace_segment(&world, &path, &hit, alive, turn COUNTED_ARGUMENT);
+                turn = uint_hold(turn + 1u);
+            } while (ENGINE_BATCH > 1 && turn < stop && !lanes_any(ends));
+            const lanes_mask full = lanes_hold(turn >= path.last_turn);
+            const lanes_mask ended = lanes_meet(lanes_hold(full | ends));
+            COUNTED_LANES(alive & ended, ENGINE_PATH_WORK)
 
-        if (lanes_any(ended)) {
-            Vec radiance = SAMPLE_SHOWN(&world, &path, face);
-            if (PTB_LANES == 1 || lanes_any(full | (ended & !spare.ready))) {
-                const lanes_mask lacking = MASK_OF_MANY(alive & ended & !spare.ready);
-                if (PTB_LANES > 1) add_samples(&unit, spare.radiance, !spare.ready);
-                add_samples(&unit, radiance, lacking);
-                radiance = vec_select(radiance, vec_of((float4)(0.0f)), lacking);
-                spare.radiance = vec_of((float4)(0.0f));
-                unit.counts += lanes_select_u((lanes_u)(0u), (lanes_u)(ENGINE_FULL_LENGTH), full);
-                const lanes_mask finished = lacking & (unit.sample == unit.end);
-                if (lanes_any(finished)) {
-                    write_units(&unit, traced_by(&path, turn), finished, tallies);
-                    COUNTED_LANES(alive & finished, ENGINE_UNIT_WORK)
-                    COUNTED_LANES(alive & finished, ENGINE_TAKE_WORK)
-                    if (PTB_LANES == 1) turn = 0u; /* so its unit's first turn needs no register */
-                    alive &= !finished | take_units(&unit, traced_by(&path, turn), finished, queue, run_starts, &launch);
+            if (lanes_any(ended)) {
+                Vec radiance = SAMPLE_SHOWN(&world, &path, face);
+                if (PTB_LANES == 1 || lanes_any(full | (ended & !spare.ready))) {
+                    const lanes_mask lacking = MASK_OF_MANY(alive & ended & !spare.ready);
+                    if (PTB_LANES > 1) add_samples(&unit, spare.radiance, !spare.ready);
+                    add_samples(&unit, radiance, lacking);
+                    radiance = vec_select(radiance, vec_of((float4)(0.0f)), lacking);
+                    spare.radiance = vec_of((float4)(0.0f));
+                    unit.counts += lanes_select_u((lanes_u)(0u), (lanes_u)(ENGINE_FULL_LENGTH), full);
+                    const lanes_mask finished = lacking & (unit.sample == unit.end);
+                    if (lanes_any(finished)) {
+                        write_units(&unit, traced_by(&path, turn), finished, tallies);
+                        COUNTED_LANES(alive & finished, ENGINE_UNIT_WORK)
+                        COUNTED_LANES(alive & finished, ENGINE_TAKE_WORK)
+                        if (PTB_LANES == 1) turn = 0u; /* so its unit's first turn needs no register */
+                        alive &= !finished | take_units(&unit, traced_by(&path, turn), finished, queue, run_starts, &launch);
+                    }
+                    refill(&spare, &unit, &launch);
                 }
-                refill(&spare, &unit, &launch);
+                spare.radiance = vec_select(spare.radiance, radiance, ended);
+                start_spares(&path, &spare, ended, turn, start, &launch);
             }
-            spare.radiance = vec_select(spare.radiance, radiance, ended);
-            start_spares(&path, &spare, ended, turn, start, &launch);
+            meeting = begin_meeting(world.scene, &path.ray, &path.inside, &waiting COUNTED_ARGUMENT);
         }
-        meeting = begin_meeting(world.scene, &path.ray, &path.inside, &waiting COUNTED_ARGUMENT);
+        meet_again(here);
     }
 #ifdef ENGINE_SPLATS
     const Picture picture = picture_of(&launch, start.row->position_side ENGINE_SPLATS_ARGUMENT);

@@ -218,6 +218,8 @@ static inline World world_of(SCENE_SPHERE_SPACE const SceneSphere* spheres, SCEN
                              __global const SceneLamp* lamps, SCENE_TREE_PARAMETERS const EngineLaunch* launch) {
 #ifdef SCENE_FEW
     const uint opaque = SCENE_OPAQUE, count = SCENE_FEW;
+#elif defined(SCENE_NO_SPHERES)
+    const uint opaque = 0u, count = 0u;
 #else
     const uint opaque = launch->opaque_spheres, count = opaque + launch->two_sided_spheres;
 #endif

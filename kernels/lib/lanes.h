@@ -117,6 +117,22 @@ static inline lanes_mask lanes_meet(lanes_mask mask) {
 #endif
 }
 
+/* The lanes of the warp that are here, and where these wait for each other. */
+static inline uint warp_here(void) {
+    uint here = 0u;
+#if PTB_PTX
+    __asm__ volatile("activemask.b32 %0;" : "=r"(here));
+#endif
+    return here;
+}
+static inline void warp_meets(uint here) {
+#if PTB_PTX
+    __asm__ volatile("bar.warp.sync %0;" : : "r"(here) : "memory");
+#else
+    (void)here;
+#endif
+}
+
 /* A lane alone goes where its branches go, and needs no mask there. */
 #define MASK_OF_MANY(mask) (PTB_LANES > 1 ? (mask) : lanes_all())
 

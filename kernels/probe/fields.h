@@ -17,6 +17,9 @@
     S(SceneStart) F(SceneStart, position_side) F(SceneStart, gap) F(SceneStart, distance_mask)         \
     S(SceneTriangle) F(SceneTriangle, normal_face)                                                     \
     S(TreeNode2) F(TreeNode2, centre0_link) F(TreeNode2, half0) F(TreeNode2, centre1_link) F(TreeNode2, half1) \
+    S(TreeNode2q) F(TreeNode2q, x0) F(TreeNode2q, y0) F(TreeNode2q, z0) F(TreeNode2q, link0)           \
+    F(TreeNode2q, x1) F(TreeNode2q, y1) F(TreeNode2q, z1) F(TreeNode2q, link1)                         \
+    S(TreeGrid) F(TreeGrid, low) F(TreeGrid, cells) F(TreeGrid, cell) F(TreeGrid, room)                \
     S(TreeTriangle) F(TreeTriangle, a_number) F(TreeTriangle, b) F(TreeTriangle, c)                    \
     S(TreeNode8) F(TreeNode8, low) F(TreeNode8, high) F(TreeNode8, link)                               \
     S(TreeBlock8) F(TreeBlock8, corner) F(TreeBlock8, number)                                          \

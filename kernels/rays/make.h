@@ -70,7 +70,7 @@ static inline bool finds_ground(Tree tree, const ListedRay* ray, Ground* ground)
     COUNTED_BEGIN
     Search search;
     SearchStack stack;
-    search_begin(&search, &stack, vec_of(ray->origin_left), vec_of(ray->direction_reach), ray->direction_reach.w,
+    search_begin(tree, &search, &stack, vec_of(ray->origin_left), vec_of(ray->direction_reach), ray->direction_reach.w,
                  as_uint(ray->origin_left.w), TREE_NOTHING COUNTED_ARGUMENT);
     search_all(tree, &search, &stack, false COUNTED_ARGUMENT);
     if (search.found.place == TREE_NOTHING) return false;

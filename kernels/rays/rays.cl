@@ -16,7 +16,7 @@ static inline void meet_one(Tree tree, __global const ListedRay* ray, __global L
     Search search;
     SearchStack stack;
     COUNTED_SEARCH
-    search_begin(&search, &stack, vec_of(origin_left), vec_of(direction_reach), direction_reach.w, as_uint(origin_left.w),
+    search_begin(tree, &search, &stack, vec_of(origin_left), vec_of(direction_reach), direction_reach.w, as_uint(origin_left.w),
                  TREE_NOTHING COUNTED_ARGUMENT);
     search_all(tree, &search, &stack, any COUNTED_ARGUMENT);
     const Found found = search.found;
@@ -41,19 +41,19 @@ RAYS_OUTLINE void see_run(Tree tree, __global const ListedRay* rays, __global Li
 }
 
 /* Meets the rays from number `first` to before `end`. */
-__kernel void rays_meet(__global const float4* nodes, __global const float4* leaves, __global const ListedRay* rays,
+__kernel void rays_meet(__global const float4* nodes, __global const float4* leaves, const TreeGrid grid, __global const ListedRay* rays,
                         __global ListedHit* hits, uint first, uint end, uint run COUNTED_ROWS) {
     COUNTED_BEGIN
-    const Tree tree = {nodes, leaves};
+    const Tree tree = {nodes, leaves, grid};
     const uint begin = min(first + (uint)get_global_id(0) * run, end);
     meet_run(tree, rays, hits, begin, min(begin + run, end) COUNTED_ARGUMENT);
     COUNTED_END
 }
 
-__kernel void rays_see(__global const float4* nodes, __global const float4* leaves, __global const ListedRay* rays,
+__kernel void rays_see(__global const float4* nodes, __global const float4* leaves, const TreeGrid grid, __global const ListedRay* rays,
                        __global ListedHit* hits, uint first, uint end, uint run COUNTED_ROWS) {
     COUNTED_BEGIN
-    const Tree tree = {nodes, leaves};
+    const Tree tree = {nodes, leaves, grid};
     const uint begin = min(first + (uint)get_global_id(0) * run, end);
     see_run(tree, rays, hits, begin, min(begin + run, end) COUNTED_ARGUMENT);
     COUNTED_END
@@ -61,9 +61,9 @@ __kernel void rays_see(__global const float4* nodes, __global const float4* leav
 
 /* Makes the rays of the list. `lamps`: corners of the triangles that shine. `missing` counts the rays that nothing was found
    to start from. */
-__kernel void rays_make(__global const float4* nodes, __global const float4* leaves, __global const TreeTriangle* lamps,
+__kernel void rays_make(__global const float4* nodes, __global const float4* leaves, const TreeGrid grid, __global const TreeTriangle* lamps,
                         __global ListedRay* rays, volatile __global uint* missing, const RaysMaking making) {
-    const Tree tree = {nodes, leaves};
+    const Tree tree = {nodes, leaves, grid};
     const uint begin = min(making.first + (uint)get_global_id(0) * making.run, making.end);
     const uint lost = make_run(tree, lamps, rays, begin, min(begin + making.run, making.end), making);
     if (lost > 0u) (void)atomic_add(missing, lost);

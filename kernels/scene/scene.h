@@ -6,18 +6,20 @@
 #include "lib/vec.h"
 #include "shared/scene.h"
 
-/* SCENE_TREE, 2 or 8: the children of a node of the tree that triangles lie in, if there are any. Rays are alone in their
-   work-item then. */
+/* SCENE_TREE, 2 or 8: the children of a node of the tree that triangles lie in, if there are any; TREE_QUANTISED: its two
+   boxes are of 16 bits a plane. Rays are alone in their work-item then. */
 #ifdef SCENE_TREE
 typedef struct Tree {
-    __global const float4* nodes;  /* of TreeNode2 or TreeNode8 */
+    __global const float4* nodes;  /* of TreeNode2, TreeNode2q or TreeNode8 */
     __global const float4* leaves; /* of TreeTriangle or TreeBlock8 */
+    TreeGrid grid;                 /* of TreeNode2q */
 } Tree;
 /* Handed down to where a Scene is made. */
 #define SCENE_TREE_PARAMETERS \
-    __global const float4 *tree_nodes, __global const float4 *tree_leaves, __global const SceneTriangle *triangles,
-#define SCENE_TREE_ARGUMENTS tree_nodes, tree_leaves, triangles,
-#define SCENE_TREE_MEMBERS , {tree_nodes, tree_leaves}, triangles
+    __global const float4 *tree_nodes, __global const float4 *tree_leaves, const TreeGrid tree_grid, \
+        __global const SceneTriangle *triangles,
+#define SCENE_TREE_ARGUMENTS tree_nodes, tree_leaves, tree_grid, triangles,
+#define SCENE_TREE_MEMBERS , {tree_nodes, tree_leaves, tree_grid}, triangles
 #else
 #define SCENE_TREE_PARAMETERS
 #define SCENE_TREE_ARGUMENTS

@@ -30,10 +30,10 @@ typedef struct SearchStack SearchStack;
 #define COUNTED_SEARCH COUNTED(1u, TREE_AIM_WORK) COUNTED_STEPS(PTB_COUNTED_SEARCHES, 1u)
 
 /* Begins one within `distance`, of triangles that are not of these two numbers. */
-static inline void search_begin(Search* s, SearchStack* stack, Vec origin, Vec direction, float distance, uint left,
+static inline void search_begin(Tree tree, Search* s, SearchStack* stack, Vec origin, Vec direction, float distance, uint left,
                                 uint target COUNTED_PARAMETER) {
     COUNTED_UNUSED
-    search_aim(s, origin, direction);
+    search_aim(tree, s, origin, direction);
     s->found.distance = distance;
     s->found.place = TREE_NOTHING;
     s->found.b = s->found.c = 0.0f;

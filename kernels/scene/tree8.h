@@ -36,7 +36,8 @@ struct SearchStack {
                                    in order, and one that is behind what was found is dropped unseen */
 };
 
-static inline void search_aim(Search* s, Vec origin, Vec direction) {
+static inline void search_aim(Tree tree, Search* s, Vec origin, Vec direction) {
+    (void)tree;
     const float start[3] = {origin.x, origin.y, origin.z}, d[3] = {direction.x, direction.y, direction.z};
     const uint along = main_axis(direction), across = along == 2u ? 0u : along + 1u, down = along == 0u ? 2u : along - 1u;
     for (uint i = 0u; i < 3u; ++i) {

@@ -14,7 +14,7 @@
 /* A point of a triangle is put this share of the triangle's largest coordinate from it, on the ray's side: more than rounding
    puts it on the other, and more than boxes are larger than what they hold, so that a ray from a wall along two axes does not
    begin in the box of that wall's own leaf. */
-#define TRIANGLE_MARGIN 0x1p-20f
+#define TRIANGLE_MARGIN 0x1p-19f
 
 /* An inner node of two children, whose boxes it has: by their centres and halves of their edges, which take a ray six minima and
    maxima fewer a box than corners do. Boxes are so much larger than what they hold that rounding of the ray's way through them
@@ -26,6 +26,25 @@ typedef struct TreeNode2 {
     ptb_float4 half1;
 } TreeNode2;
 PTB_ASSERT_SIZE(TreeNode2, 64);
+
+/* The same in half the bytes: the planes of both boxes are numbers of the planes of a grid around all triangles, those of a
+   box's low corner in the lower 16 bits. Plane number n has the grid coordinate whose bits as a float are
+   TREE_PLANE | n << 8, from 0.5 to 2. Where there is no child, low is above high. */
+typedef struct TreeNode2q {
+    ptb_uint x0, y0, z0, link0;
+    ptb_uint x1, y1, z1, link1;
+} TreeNode2q;
+PTB_ASSERT_SIZE(TreeNode2q, 32);
+
+#define TREE_PLANE 0x3f000000u
+
+/* Where its planes are: grid coordinates are (scene's - low) * cells + 0.5. */
+typedef struct TreeGrid {
+    ptb_float4 low, cells;
+    ptb_float4 cell; /* 1 / cells */
+    ptb_float4 room; /* how far outside of its planes a box is met, so that rounding loses nothing */
+} TreeGrid;
+PTB_ASSERT_SIZE(TreeGrid, 64);
 
 /* A triangle of the leaves of such a tree. */
 typedef struct TreeTriangle {

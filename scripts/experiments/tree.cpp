@@ -71,13 +71,27 @@ Work diffuse_work(const Tree& tree, const Triangles& triangles) {
     return {work.nodes / rays_met, work.tests / rays_met};
 }
 
+constexpr TreeLayout layouts[] = {TreeLayout::bvh2, TreeLayout::bvh2q, TreeLayout::wide8};
+
+const char* name_of(TreeLayout layout) {
+    switch (layout) {
+        case TreeLayout::bvh2:
+            return "BVH2";
+        case TreeLayout::bvh2q:
+            return "BVH2, quantised";
+        case TreeLayout::wide8:
+            break;
+    }
+    return "8-wide";
+}
+
 double ratio(std::size_t a, std::size_t b) { return static_cast<double>(a) / static_cast<double>(b); }
 
 void work_row(const Mesh& mesh, const Way& way, TreeLayout layout, int threads, double& base,
               double& product) {
     const Tree tree = build_tree(mesh.triangles, layout, way.settings, threads);
     const Work work = diffuse_work(tree, mesh.triangles);
-    const double test = layout == TreeLayout::bvh2 ? 0.7 : 1;
+    const double test = layout == TreeLayout::wide8 ? 1 : 0.7;
     const double cost = work.nodes + test * work.tests;
     if (base == 0) base = cost;
     product *= cost / base;
@@ -87,9 +101,9 @@ void work_row(const Mesh& mesh, const Way& way, TreeLayout layout, int threads, 
 }
 
 void print_work(int threads) {
-    for (const TreeLayout layout : {TreeLayout::bvh2, TreeLayout::wide8}) {
+    for (const TreeLayout layout : layouts) {
         const bool wide = layout == TreeLayout::wide8;
-        fmt::print("| {} | tree | references | SAH | stack | nodes | {} | work |\n", wide ? "8-wide" : "BVH2",
+        fmt::print("| {} | tree | references | SAH | stack | nodes | {} | work |\n", name_of(layout),
                    wide ? "blocks" : "triangles");
         fmt::print("| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n");
         std::vector<double> products(ways().size(), 1);
@@ -144,9 +158,9 @@ void speed_row(const Mesh& mesh, TreeLayout layout, int threads) {
     getrusage(RUSAGE_SELF, &usage);
     const Work work = diffuse_work(tree, mesh.triangles);
     fmt::print("| {} | {} | {} | {:.2f} | {:.2f} | {:.1f} | {:.2f} | {} | {:.1f} | {:.1f} | {} |\n",
-               mesh.name, mesh.triangles.size(), layout == TreeLayout::bvh2 ? "BVH2" : "8-wide",
-               s.wall / millions, s.cpu / millions, ratio(tree.facts.bytes, tree.facts.triangles),
-               tree.facts.sah_cost, tree.facts.depth, work.nodes, work.tests, usage.ru_maxrss / 1024);
+               mesh.name, mesh.triangles.size(), name_of(layout), s.wall / millions, s.cpu / millions,
+               ratio(tree.facts.bytes, tree.facts.triangles), tree.facts.sah_cost, tree.facts.depth,
+               work.nodes, work.tests, usage.ru_maxrss / 1024);
 }
 
 void print_speed(int threads) {
@@ -154,8 +168,7 @@ void print_speed(int threads) {
     const Triangles walls = room(3);
     for (const Mesh& mesh :
          {Mesh{"flake", with(walls, flake(4, 8))}, Mesh{"hair", with(walls, hair(62500, 8))}})
-        for (const TreeLayout layout : {TreeLayout::bvh2, TreeLayout::wide8})
-            speed_row(mesh, layout, threads);
+        for (const TreeLayout layout : layouts) speed_row(mesh, layout, threads);
 }
 
 void print_growth(int threads, std::size_t most) {
@@ -188,7 +201,7 @@ Vec3 aim_point(const Triangle& triangle, int kind, Dice& dice) {
 void print_aim(int threads, std::size_t most) {
     fmt::print("| mesh | layout | rays | boxes of what is hit missed |\n| --- | --- | ---: | ---: |\n");
     for (const Mesh& mesh : meshes()) {
-        for (const TreeLayout layout : {TreeLayout::bvh2, TreeLayout::wide8}) {
+        for (const TreeLayout layout : layouts) {
             const Tree tree = build_tree(mesh.triangles, layout, {}, threads);
             Dice dice(11);
             std::size_t rays = 0, lost = 0;
@@ -208,8 +221,7 @@ void print_aim(int threads, std::size_t most) {
                 const Met met = walk(tree, ray);
                 lost += met.distance > alone.distance ? 1 : 0;
             }
-            fmt::print("| {} | {} | {} | {} |\n", mesh.name, layout == TreeLayout::bvh2 ? "BVH2" : "8-wide",
-                       rays, lost);
+            fmt::print("| {} | {} | {} | {} |\n", mesh.name, name_of(layout), rays, lost);
         }
     }
 }

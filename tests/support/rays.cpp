@@ -16,8 +16,9 @@ cl::Buffer buffer_of(const ocl::Device& device, std::span<const Row> rows) {
 }
 
 std::string options_of(const ocl::Device& device, const Tree& tree) {
-    return fmt::format("-cl-std=CL1.2 -DSCENE_TREE={} -DTREE_STACK={}{}", tree.nodes2.empty() ? 8 : 2,
+    return fmt::format("-cl-std=CL1.2 -DSCENE_TREE={} -DTREE_STACK={}{}{}", tree.nodes8.empty() ? 2 : 8,
                        (tree.facts.stack_most / 128 + 1) * 128,
+                       tree.nodes2q.empty() ? "" : " -DTREE_QUANTISED",
                        device.info.type == "CPU" ? " -DENGINE_ALONE" : "");
 }
 
@@ -30,6 +31,7 @@ RayList::RayList(const ocl::Device& device, const Tree& tree, const std::string&
                           options_of(device, tree) + more_options)),
       counted_(device, program_) {
     tree_ = tree_buffers(device, tree);
+    grid_ = tree.grid;
 }
 
 std::vector<ListedHit> RayList::met(std::span<const ListedRay> rays, bool any) {
@@ -50,7 +52,8 @@ LaunchTimes RayList::meet(bool any) {
     counted_.give(kernel);
     cl_uint i = 0;
     const auto give = [&](const auto& argument) { kernel.setArg(i++, argument); };
-    give(tree_[0]), give(tree_[1]), give(asked_), give(answers_), give(cl_uint{0}), give(count_), give(run);
+    give(tree_[0]), give(tree_[1]), give(grid_), give(asked_), give(answers_), give(cl_uint{0}), give(count_),
+        give(run);
     const cl::NDRange group = run > 1 ? cl::NDRange(1) : cl::NullRange;  // PoCL compiles once a size
     cl::Event event;
     device_.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((count_ + run - 1) / run), group,

@@ -34,6 +34,7 @@ class RayList {
     ocl::Program program_;
     CountedRows counted_;
     std::vector<cl::Buffer> tree_;  ///< nodes and leaves
+    TreeGrid grid_;
     cl::Buffer asked_, answers_;
     cl_uint count_ = 0;
 };

@@ -10,15 +10,24 @@
 namespace ptb {
 namespace {
 
+std::array<float, 3> xyz(const ptb_float4& v) { return {v.x, v.y, v.z}; }
+
 /// Its ways to axis-parallel planes are one multiplication and one subtraction.
 struct Slabs {
     std::array<float, 3> inverse, offset;
+    std::array<float, 3> on_grid, enter, leave;  ///< of grid coordinates: the inverse, and what is added
 
-    explicit Slabs(const Ray& ray) {
+    explicit Slabs(const Ray& ray, const TreeGrid& grid) {
+        const std::array low = xyz(grid.low), cells = xyz(grid.cells), cell = xyz(grid.cell),
+                         room = xyz(grid.room);
         for (std::size_t i = 0; i < 3; ++i) {
             const float d = ray.direction[i];
             inverse[i] = 1 / (std::abs(d) < 1e-18f ? std::copysign(1e-18f, d) : d);
             offset[i] = ray.origin[i] * inverse[i];
+            on_grid[i] = inverse[i] * cell[i];
+            const float start = ((ray.origin[i] - low[i]) * cells[i] + 0.5f) * on_grid[i];
+            enter[i] = -start - room[i] * std::abs(on_grid[i]);
+            leave[i] = -start + room[i] * std::abs(on_grid[i]);
         }
     }
     /// Where the ray enters the box, or infinity.
@@ -33,6 +42,17 @@ struct Slabs {
         return entry_by(most, [&](std::size_t i) {
             const float middle = centre[i] * inverse[i] - offset[i], reach = half[i] * std::abs(inverse[i]);
             return std::pair{middle - reach, middle + reach};
+        });
+    }
+
+    /// The same of a box by the words of a TreeNode2q.
+    float entry_on_grid(const std::array<std::uint32_t, 3>& planes, double most) const {
+        return entry_by(most, [&](std::size_t i) {
+            const auto plane = [&](bool high) {
+                return std::bit_cast<float>(TREE_PLANE | (planes[i] >> (high ? 16 : 0) & 0xffffu) << 8);
+            };
+            const bool back = on_grid[i] < 0;
+            return std::pair{plane(back) * on_grid[i] + enter[i], plane(!back) * on_grid[i] + leave[i]};
         });
     }
 
@@ -64,8 +84,6 @@ void meet(const Triangle& triangle, std::uint32_t number, const Ray& ray, Met& m
     met.distance = distance;
 }
 
-std::array<float, 3> xyz(const ptb_float4& v) { return {v.x, v.y, v.z}; }
-
 struct Waiting {
     float entry;
     std::uint32_t link;
@@ -74,7 +92,7 @@ struct Waiting {
 /// A walk through one layout; `open` says what is behind a link.
 class Walk {
   public:
-    explicit Walk(const Tree& tree, const Ray& ray) : tree_(tree), ray_(ray), slabs_(ray) {}
+    explicit Walk(const Tree& tree, const Ray& ray) : tree_(tree), ray_(ray), slabs_(ray, tree.grid) {}
 
     Met run() {
         stack_.push_back({0, 0});
@@ -85,7 +103,7 @@ class Walk {
             if (next.link & TREE_LEAF)
                 tree_.nodes8.empty() ? test_run(next.link & ~TREE_LEAF) : test_block(next.link & ~TREE_LEAF);
             else
-                tree_.nodes8.empty() ? open(tree_.nodes2[next.link]) : open(tree_.nodes8[next.link]);
+                open_number(next.link);
         }
         return met_;
     }
@@ -100,6 +118,21 @@ class Walk {
     void sort_from(std::size_t first) {
         std::sort(stack_.begin() + static_cast<std::ptrdiff_t>(first), stack_.end(),
                   [](const Waiting& a, const Waiting& b) { return a.entry > b.entry; });
+    }
+    void open_number(std::uint32_t node) {
+        if (!tree_.nodes8.empty())
+            open(tree_.nodes8[node]);
+        else if (!tree_.nodes2q.empty())
+            open(tree_.nodes2q[node]);
+        else
+            open(tree_.nodes2[node]);
+    }
+    void open(const TreeNode2q& node) {
+        ++met_.nodes;
+        const std::size_t first = stack_.size();
+        add_if(slabs_.entry_on_grid({node.x0, node.y0, node.z0}, met_.distance), node.link0);
+        add_if(slabs_.entry_on_grid({node.x1, node.y1, node.z1}, met_.distance), node.link1);
+        sort_from(first);
     }
     void open(const TreeNode2& node) {
         ++met_.nodes;

@@ -1,0 +1,64 @@
+#include "core/tree/plane_grid.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace ptb::tree {
+namespace {
+
+// In grid coordinates.
+constexpr double grid_begin = 0.5, grid_end = 2 - 0x1p-15;
+constexpr double slack = 0x1p-23;       ///< by which a wall at the end of the grid may miss its plane
+constexpr double slab_error = 0x1p-21;  ///< of a ray's way through planes, where it begins on the grid
+
+constexpr double least_extent = 0x1p-8;  ///< of an axis, of the largest
+constexpr std::uint32_t last_plane = 0xffff;
+
+double plane(std::uint32_t number) { return std::bit_cast<float>(TREE_PLANE | number << 8); }
+
+/// The last one that is not beyond.
+std::uint32_t plane_before(double coordinate) {
+    const auto at = static_cast<float>(std::clamp(coordinate, grid_begin, grid_end));
+    const std::uint32_t number = (std::bit_cast<std::uint32_t>(at) - TREE_PLANE) >> 8;
+    return number > 0 && plane(number) > coordinate ? number - 1 : number;
+}
+
+std::uint32_t plane_behind(double coordinate) {
+    const std::uint32_t number = plane_before(coordinate);
+    return number < last_plane && plane(number) < coordinate ? number + 1 : number;
+}
+
+float& part(ptb_float4& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+float part(const ptb_float4& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+}  // namespace
+
+PlaneGrid::PlaneGrid(const Load& load) : unit_(load.padding.unit()) {
+    if (load.binary.nodes.empty()) return;
+    const Box whole = box_of(load.binary.nodes[0]);
+    const double largest = std::max({extent(whole, 0), extent(whole, 1), extent(whole, 2)});
+    for (int axis = 0; axis < 3; ++axis) {
+        const double wide = largest > 0 ? std::max(extent(whole, axis), least_extent * largest) : 1;
+        const auto cells = static_cast<float>((grid_end - grid_begin) / wide);
+        part(facts_.low, axis) = static_cast<float>(whole.low[axis] * unit_);
+        part(facts_.cells, axis) = cells;
+        part(facts_.cell, axis) = 1 / cells;
+        part(facts_.room, axis) =
+            static_cast<float>(3.0 * load.padding.margin() * cells + slab_error + slack);
+    }
+}
+
+std::uint32_t PlaneGrid::around(const Box& box, int axis) const {
+    return plane_before(seen(box.low[axis], axis) + slack) | plane_behind(seen(box.high[axis], axis) - slack)
+                                                                 << 16;
+}
+
+double PlaneGrid::extent(const Box& box, int axis) const {
+    return (double{box.high[axis]} - box.low[axis]) * unit_;
+}
+
+double PlaneGrid::seen(float coordinate, int axis) const {
+    return (coordinate * unit_ - part(facts_.low, axis)) * part(facts_.cells, axis) + grid_begin;
+}
+
+}  // namespace ptb::tree
