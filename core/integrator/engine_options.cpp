@@ -72,8 +72,9 @@ std::string memory_refusal(const Integrator& row, const ocl::Device& device, con
     return "";
 }
 
-/// GPUs count loads, CPUs have registers of eight floats.
-TreeLayout layout_of(const ocl::Device& device, const Variant& variant) {
+/// CPUs have registers of eight floats. GPUs count the loads of lanes that wait for each other, as those of
+/// all rays of `pt` do, and instructions where each ray is searched for to its end.
+TreeLayout layout_of(const Integrator& row, const ocl::Device& device, const Variant& variant) {
     switch (variant.bvh) {
         case Bvh::bvh2:
             return TreeLayout::bvh2;
@@ -84,11 +85,13 @@ TreeLayout layout_of(const ocl::Device& device, const Variant& variant) {
         case Bvh::automatic:
             break;
     }
-    return is_throughput_device(device) ? TreeLayout::bvh2q : TreeLayout::wide8;
+    if (!is_throughput_device(device)) return TreeLayout::wide8;
+    return row.lists_rays || row.samples_lamps ? TreeLayout::bvh2 : TreeLayout::bvh2q;
 }
 
-/// Nodes of half the bytes are worth so many more steps.
-constexpr double bearable_grid_cost = 1.3;
+/// Nodes of two loads in place of four are worth that much larger leaves: in a flake whose room is 64 times
+/// as large they are 0.75 with leaves 5.5 times as large, 256 times 2.3 with 40.
+constexpr double bearable_grid_growth = 4;
 
 TreeSettings settings_of(const Variant& variant) {
     const BvhSplit split = variant.bvh_split;
@@ -96,7 +99,7 @@ TreeSettings settings_of(const Variant& variant) {
     const bool spatial = split == BvhSplit::spatial || split == BvhSplit::spatial_xyz;
     settings.method = spatial ? TreeMethod::spatial : TreeMethod::sah;
     settings.size_axis = split == BvhSplit::spatial || split == BvhSplit::sah;
-    if (variant.bvh == Bvh::automatic) settings.grid_cost_most = bearable_grid_cost;
+    if (variant.bvh == Bvh::automatic) settings.grid_growth_most = bearable_grid_growth;
     return settings;
 }
 
@@ -196,14 +199,15 @@ std::string mesh_refusal(const Integrator& row, const ocl::Device& device, const
 DeviceScene device_scene_for(const Integrator& row, const ocl::Device& device, const Scene& scene,
                              const RenderJob& job) {
     DeviceScene result = make_device_scene(scene);
-    add_meshes(result, scene, layout_of(device, job.variant), settings_of(job.variant));
+    add_meshes(result, scene, layout_of(row, device, job.variant), settings_of(job.variant));
     if (row.samples_lamps) add_lamps(result, scene);
     return result;
 }
 
-std::shared_ptr<const Tree> tree_for(const ocl::Device& device, const Scene& scene, const RenderJob& job) {
+std::shared_ptr<const Tree> tree_for(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                                     const RenderJob& job) {
     if (scene.meshes.empty()) return nullptr;
-    return mesh_tree(scene, make_device_scene(scene).origin, layout_of(device, job.variant),
+    return mesh_tree(scene, make_device_scene(scene).origin, layout_of(row, device, job.variant),
                      settings_of(job.variant));
 }
 

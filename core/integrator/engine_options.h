@@ -20,7 +20,8 @@ std::string mesh_refusal(const Integrator& row, const ocl::Device& device, const
                          const RenderJob& job);
 
 /// The tree of a scene with meshes that a job of this variant searches; null without meshes.
-std::shared_ptr<const Tree> tree_for(const ocl::Device& device, const Scene& scene, const RenderJob& job);
+std::shared_ptr<const Tree> tree_for(const Integrator& row, const ocl::Device& device, const Scene& scene,
+                                     const RenderJob& job);
 
 /// Build options of an integrator for a job.
 std::string engine_options(const Integrator& row, const ocl::Device& device, const Scene& scene,

@@ -190,7 +190,7 @@ int default_lanes(const Integrator& integrator, const DeviceInfo& device) {
 
 std::shared_ptr<const Tree> tree_of(const Integrator& integrator, const ocl::Device& device,
                                     const Scene& scene, const RenderJob& job) {
-    return integrator.meshes ? tree_for(device, scene, job) : nullptr;
+    return integrator.meshes ? tree_for(integrator, device, scene, job) : nullptr;
 }
 
 std::string unsupported_reason(const Integrator& integrator, const ocl::Device& device, const Scene& scene,

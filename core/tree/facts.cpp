@@ -147,13 +147,4 @@ TreeFacts facts_of(const Tree& tree, std::size_t triangles, const TreeSettings& 
     return facts;
 }
 
-double sah_cost(const BinaryTree& binary, double test_cost) {
-    if (binary.nodes.empty()) return 0;
-    double work = 0;
-    for (const BinaryNode& node : binary.nodes)
-        work += double{half_area(box_of(node))} * (node.count > 0 ? test_cost * node.count : 1.0);
-    const double whole = half_area(box_of(binary.nodes[0]));
-    return whole > 0 ? work / whole : 1;
-}
-
 }  // namespace ptb::tree

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace ptb::tree {
 namespace {
@@ -34,8 +35,7 @@ float part(const ptb_float4& v, int axis) { return axis == 0 ? v.x : axis == 1 ?
 }  // namespace
 
 PlaneGrid::PlaneGrid(const Load& load) : unit_(load.padding.unit()) {
-    if (load.binary.nodes.empty()) return;
-    const Box whole = box_of(load.binary.nodes[0]);
+    const Box whole = load.binary.nodes.empty() ? Box{all(0), all(0)} : box_of(load.binary.nodes[0]);
     const double largest = std::max({extent(whole, 0), extent(whole, 1), extent(whole, 2)});
     for (int axis = 0; axis < 3; ++axis) {
         const double wide = largest > 0 ? std::max(extent(whole, axis), least_extent * largest) : 1;
@@ -53,12 +53,37 @@ std::uint32_t PlaneGrid::around(const Box& box, int axis) const {
                                                                  << 16;
 }
 
+Box PlaneGrid::rounded(const Box& box) const {
+    Box larger{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::uint32_t planes = around(box, axis);
+        const auto at = [&](std::uint32_t number) {
+            return static_cast<float>((plane(number) - grid_begin) / part(facts_.cells, axis) / unit_);
+        };
+        larger.low[axis] = at(planes & last_plane);
+        larger.high[axis] = at(planes >> 16);
+    }
+    return larger;
+}
+
 double PlaneGrid::extent(const Box& box, int axis) const {
     return (double{box.high[axis]} - box.low[axis]) * unit_;
 }
 
 double PlaneGrid::seen(float coordinate, int axis) const {
     return (coordinate * unit_ - part(facts_.low, axis)) * part(facts_.cells, axis) + grid_begin;
+}
+
+double grid_growth(const Load& load) {
+    const PlaneGrid grid(load);
+    double logarithms = 0, leaves = 0;
+    for (const BinaryNode& node : load.binary.nodes) {
+        const double before = half_area(box_of(node));
+        if (node.count == 0 || !(before > 0)) continue;
+        logarithms += std::log2(half_area(grid.rounded(box_of(node))) / before);
+        ++leaves;
+    }
+    return leaves > 0 ? std::exp2(logarithms / leaves) : 1;
 }
 
 }  // namespace ptb::tree

@@ -14,6 +14,8 @@ class PlaneGrid {
 
     /// The planes around a box on an axis, the low one's number in the lower half.
     std::uint32_t around(const Box& box, int axis) const;
+    /// A box as large as these make it.
+    Box rounded(const Box& box) const;
 
   private:
     double extent(const Box& box, int axis) const;

@@ -21,7 +21,7 @@ void check(const TreeSettings& settings) {
     check_range("bins", settings.bins, 2, 32);
     check_range("depth_most", settings.depth_most, 30, 64);
     check_range("origin_most", settings.origin_most, 0.0f, 1e30f);
-    check_range("grid_cost_most", settings.grid_cost_most, 0.0, std::numeric_limits<double>::infinity());
+    check_range("grid_growth_most", settings.grid_growth_most, 0.0, std::numeric_limits<double>::infinity());
     check_range("spatial.alpha", settings.spatial.alpha, 0.0f, 1.0f);
     check_range("spatial.depth_most", settings.spatial.depth_most, 0, 64);
     check_range("spatial.room", settings.spatial.room, 0.0f, 3.0f);

@@ -19,9 +19,8 @@ struct TreeSettings {
     /// Boxes grow with it.
     float origin_most = 0;
 
-    /// A quantised tree is laid out in whole floats where its grid costs more than this:
-    /// TreeFacts::grid_cost.
-    double grid_cost_most = std::numeric_limits<double>::infinity();
+    /// A quantised tree is laid out in whole floats where its grid is coarser: TreeFacts::grid_growth.
+    double grid_growth_most = std::numeric_limits<double>::infinity();
 
     struct Spatial {
         float alpha = 1e-3f;  ///< tried where the children's boxes share more than this of the root's area

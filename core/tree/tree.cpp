@@ -43,9 +43,8 @@ Tree build_tree(std::span<const Triangle> triangles, TreeLayout layout, const Tr
     const tree::Load load{binary, triangles, padding, crew};
     Tree built = packed(load, layout);
     built.facts = tree::facts_of(built, triangles.size(), settings);
-    if (layout == TreeLayout::bvh2q && !triangles.empty())
-        built.facts.grid_cost = built.facts.sah_cost / tree::sah_cost(binary, settings.cost.triangle);
-    if (built.facts.grid_cost > settings.grid_cost_most) {
+    if (layout == TreeLayout::bvh2q) built.facts.grid_growth = tree::grid_growth(load);
+    if (built.facts.grid_growth > settings.grid_growth_most) {
         built = pack2(load);
         built.facts = tree::facts_of(built, triangles.size(), settings);
     }

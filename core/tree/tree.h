@@ -27,8 +27,9 @@ struct TreeFacts {
     /// Expected nodes + cost.triangle (or cost.block) x leaves' contents of a random ray through the scene's
     /// box.
     double sah_cost = 0;
-    /// What rounding boxes to a grid makes of that; 1 of layouts without one.
-    double grid_cost = 1;
+    /// By what a grid makes leaves' boxes larger: the geometric mean of their surfaces' growth. 1 of layouts
+    /// without one, and where no box has a surface.
+    double grid_growth = 1;
     auto operator<=>(const TreeFacts&) const = default;
 };
 

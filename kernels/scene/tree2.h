@@ -72,7 +72,7 @@ static inline void search_aim(Tree tree, Search* s, Vec origin, Vec direction) {
     const Vec room = vec(tree.grid.room.x * fabs(s->inverse.x), tree.grid.room.y * fabs(s->inverse.y),
                          tree.grid.room.z * fabs(s->inverse.z));
     s->enter = vec_sub(minus_start, room);
-    s->leave = vec_add_scaled(minus_start, room, 1.0f);
+    s->leave = vec(minus_start.x + room.x, minus_start.y + room.y, minus_start.z + room.z);
     s->begin_x = side_met(s->inverse.x);
     s->begin_y = side_met(s->inverse.y);
     s->begin_z = side_met(s->inverse.z);

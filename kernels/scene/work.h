@@ -109,8 +109,13 @@
 #define TREE_TRIANGLE_WORK (9u + 6u * 2u + 11u), 0u, 0u, (3u * 3u * 4u)
 #define TREE_POINT_WORK 9u, 0u, 1u, 4u
 #else
+#ifdef TREE_QUANTISED
+#define TREE_AIM_WORK (15u + 21u), 0u, 4u, 0u
+#define TREE_NODE_WORK (2u * 6u * 2u), 0u, 0u, (uint)sizeof(TreeNode2q)
+#else
 #define TREE_AIM_WORK 15u, 0u, 4u, 0u
 #define TREE_NODE_WORK (2u * 9u * 2u), 0u, 0u, (uint)sizeof(TreeNode2)
+#endif
 #define TREE_TRIANGLE_WORK (6u * 6u + 11u), 0u, 0u, (uint)sizeof(TreeTriangle)
 #define TREE_POINT_WORK 28u, 0u, 1u, 0u
 #endif

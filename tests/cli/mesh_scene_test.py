@@ -51,12 +51,12 @@ class MeshScenes(CliTest):
     def test_a_record_tells_of_its_tree_and_cases_that_share_one_share_its_build(self):
         self.write(TRIANGLE)
         words = changed(ONE, kernel="pt", path_length=1, wg="implicit,16")
-        ran = self.run_ok(*words, "-a", "bvh=[bvh2,wide8]", "--scene", "mine.json", "--skip-time", "--out", "run")
+        ran = self.run_ok(*words, "-a", "bvh=[bvh2,bvh2q,wide8]", "--scene", "mine.json", "--skip-time", "--out", "run")
         trees = {}
         for case in self.scratch.result("run")["cases"]:
             trees.setdefault(case["params"]["bvh"], []).append(case["tree"])
         self.assertEqual({bvh: {tree["layout"] for tree in each} for bvh, each in trees.items()},
-                         {"bvh2": {"bvh2"}, "wide8": {"wide8"}})
+                         {"bvh2": {"bvh2"}, "bvh2q": {"bvh2q"}, "wide8": {"wide8"}})
         for each in trees.values():
             self.assertEqual(each[0], each[1])
             self.assertEqual((each[0]["triangles"], each[0]["references"], each[0]["depth"]), (1, 1, 1))

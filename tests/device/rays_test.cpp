@@ -17,8 +17,8 @@ namespace {
 template <class Body>
 void on_every_tree(const Triangles& triangles, const std::string& more_options, Body&& body) {
     on_every_device([&](const ocl::Device& device) {
-        for (const TreeLayout layout : {TreeLayout::bvh2, TreeLayout::wide8}) {
-            SCOPED_TRACE(layout == TreeLayout::bvh2 ? "bvh2" : "wide8");
+        for (const TreeLayout layout : {TreeLayout::bvh2, TreeLayout::bvh2q, TreeLayout::wide8}) {
+            SCOPED_TRACE(static_cast<int>(layout));
             const Tree tree = build_tree(triangles, layout, {}, 2);
             RayList list(device, tree, more_options);
             body(list);

@@ -21,8 +21,9 @@ DIVISIONS = {"fdiv": 1, "call _Z9normalizeDv4_f()": 1}
 BYTES = {"load global": r"\((\d+) bytes\)", "store global": r"\((\d+) bytes\)"}
 COPIED_BYTES = {"call llvm.memcpy.p0i8.p1i8.i64()": 48, "call llvm.memcpy.p1i8.p0i8.i64()": 48}
 CAMERA_RAY = {"flops": 22, "roots": 1, "divisions": 1, "bytes": 0}
-# A search that a lane begins when there is no work left, past the two spheres of mesh_room.
+# A search that a lane begins when there is no work left, past the two spheres of mesh_room; in a quantised tree, more.
 IDLE_SEARCH = {"flops": 13 + 2 * 16 + 15, "roots": 2, "divisions": 4, "bytes": 0}
+IDLE_ON_GRID = {"flops": 21, "roots": 0, "divisions": 0, "bytes": 0}
 
 
 def rendered(render_once, kernel, scene, path_length, *options):
@@ -38,7 +39,7 @@ def take_off(total, work, times):
         total[key] -= number * times
 
 
-def seen(said):
+def seen(said, on_grid):
     """Operations and bytes of all kernels but those that make rays, before anything is timed or counted."""
     said = re.sub(r"^Instructions executed for kernel '\w+_make':\n(?:.*\n)*?(?=\S|\Z)", "", said, flags=re.M)
     lines = re.findall(r"^ +(\d+) - ((?:load |store )?[^ \n]+(?: [^ \n(]+\(\))?)(.*)$", said, re.M)
@@ -51,7 +52,10 @@ def seen(said):
         if name == "call refill()":
             take_off(total, CAMERA_RAY, int(times) - PIXELS * SPP)
     calls = {name: int(times) for times, name, _ in lines if name.startswith("call ")}
-    take_off(total, IDLE_SEARCH, calls.get("call begin_search()", 0) - calls.get("call end_search()", 0))
+    idle = calls.get("call begin_search()", 0) - calls.get("call end_search()", 0)
+    take_off(total, IDLE_SEARCH, idle)
+    if on_grid:
+        take_off(total, IDLE_ON_GRID, idle)
     return total
 
 
@@ -63,7 +67,7 @@ def main(render_once, kernel, scene, path_length="16", *variant):
     if not shutil.which("oclgrind"):
         print("no oclgrind here", file=sys.stderr)
         return 1 if os.environ.get("PTB_STRICT") else 77
-    instructions = seen(rendered(render_once, kernel, scene, path_length, *variant))
+    instructions = seen(rendered(render_once, kernel, scene, path_length, *variant), "bvh=bvh2q" in variant)
     counts = counted(rendered(render_once, kernel, scene, path_length, " -DPTB_COUNT", *variant))
     failures = 0
     for name, number in instructions.items():

@@ -37,12 +37,12 @@ void on_layouts(const std::vector<Bvh>& layouts, RenderJob job, Body&& body) {
 
 template <class Body>
 void on_every_layout(const RenderJob& job, Body&& body) {
-    on_layouts({Bvh::bvh2, Bvh::wide8}, job, body);
+    on_layouts({Bvh::bvh2, Bvh::bvh2q, Bvh::wide8}, job, body);
 }
 
 /// All of `pt`'s, whose search others share; of those the device's own.
 std::vector<Bvh> layouts_to_try(const Integrator& row) {
-    if (row.id == "pt") return {Bvh::bvh2, Bvh::wide8};
+    if (row.id == "pt") return {Bvh::bvh2, Bvh::bvh2q, Bvh::wide8};
     return {Bvh::automatic};
 }
 

@@ -26,7 +26,7 @@ template <class Body>
 void on_every_list(int spp, Body&& body) {
     on_every_device([&](const ocl::Device& device) {
         for (const RayKind kind : {RayKind::primary, RayKind::bounce1, RayKind::bounce3, RayKind::shadow})
-            for (const Bvh layout : {Bvh::bvh2, Bvh::wide8}) {
+            for (const Bvh layout : {Bvh::bvh2, Bvh::bvh2q, Bvh::wide8}) {
                 RenderJob job = list_of(kind, spp);
                 job.variant.bvh = layout;
                 SCOPED_TRACE(to_string(job.variant));

@@ -11,7 +11,7 @@
 namespace ptb {
 namespace {
 
-constexpr TreeLayout layouts[] = {TreeLayout::bvh2, TreeLayout::wide8};
+constexpr TreeLayout layouts[] = {TreeLayout::bvh2, TreeLayout::bvh2q, TreeLayout::wide8};
 
 Triangles scaled(Triangles triangles, float factor) {
     for (Triangle& triangle : triangles)
@@ -40,7 +40,7 @@ TEST(HostileTree, no_triangles_make_a_tree_in_which_nothing_is_met) {
 TEST(HostileTree, a_lone_triangle_is_a_leaf_below_a_root) {
     for (const TreeLayout layout : layouts) {
         const Tree tree = build_tree(Triangles{facing}, layout, {}, 3);
-        EXPECT_EQ(tree.nodes2.size() + tree.nodes8.size(), 1u);
+        EXPECT_EQ(tree.nodes2.size() + tree.nodes2q.size() + tree.nodes8.size(), 1u);
         EXPECT_EQ(walk(tree, towards_it).number, 0u);
         EXPECT_EQ(walk(tree, {{0, 0, 2}, {1, 1, 1}}).number, TREE_NOTHING);
     }

@@ -16,7 +16,7 @@
 namespace ptb {
 namespace {
 
-constexpr TreeLayout layouts[] = {TreeLayout::bvh2, TreeLayout::wide8};
+constexpr TreeLayout layouts[] = {TreeLayout::bvh2, TreeLayout::bvh2q, TreeLayout::wide8};
 
 TreeSettings settings_of(TreeMethod method, bool size_axis) {
     TreeSettings settings;
@@ -134,9 +134,27 @@ Place place_around(const ptb_float4& centre, const ptb_float4& half) {
              {centre.x + half.x, centre.y + half.y, centre.z + half.z}}};
 }
 
+/// As large as a ray finds it.
+Place place_on(const TreeGrid& grid, std::uint32_t x, std::uint32_t y, std::uint32_t z, std::uint32_t link) {
+    const auto corner = [&](bool high) {
+        const auto seen = [&](std::uint32_t planes, float low, float cells, float room) {
+            const auto plane = std::bit_cast<float>(TREE_PLANE | (planes >> (high ? 16 : 0) & 0xffffu) << 8);
+            return static_cast<float>(low + (plane + (high ? room : -room) - 0.5) / double{cells});
+        };
+        return std::array{seen(x, grid.low.x, grid.cells.x, grid.room.x),
+                          seen(y, grid.low.y, grid.cells.y, grid.room.y),
+                          seen(z, grid.low.z, grid.cells.z, grid.room.z)};
+    };
+    return {link, {corner(false), corner(true)}};
+}
+
 std::vector<Place> places_of(const Tree& tree, std::uint32_t node) {
     std::vector<Place> places;
-    if (tree.nodes8.empty()) {
+    if (!tree.nodes2q.empty()) {
+        const TreeNode2q& n = tree.nodes2q.at(node);
+        places.push_back(place_on(tree.grid, n.x0, n.y0, n.z0, n.link0));
+        places.push_back(place_on(tree.grid, n.x1, n.y1, n.z1, n.link1));
+    } else if (tree.nodes8.empty()) {
         const TreeNode2& n = tree.nodes2.at(node);
         places.push_back(place_around(n.centre0_link, n.half0));
         places.push_back(place_around(n.centre1_link, n.half1));
@@ -216,16 +234,34 @@ TEST(Tree, boxes_are_larger_by_units_in_the_last_place_of_the_largest_coordinate
 
 TEST(Tree, rays_from_a_wall_do_not_test_that_wall_again) {
     for (const float half_edge : {1.0f, 1.9f, 2.5f, 3.999f}) {
-        const Tree tree = build_tree(room(half_edge), TreeLayout::bvh2, {}, 1);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            for (const float side : {-1.0f, 1.0f}) {
-                Ray ray = {{0.3f * half_edge, 0.2f * half_edge, 0.1f * half_edge}, {0.01f, 0.02f, 0.03f}};
-                ray.origin[axis] = side * (half_edge - TRIANGLE_MARGIN * half_edge);
-                ray.direction[axis] = -side;
-                EXPECT_LE(walk(tree, ray).tests, 2u) << half_edge << ' ' << axis << ' ' << side;
+        for (const TreeLayout layout : {TreeLayout::bvh2, TreeLayout::bvh2q}) {
+            const Tree tree = build_tree(room(half_edge), layout, {}, 1);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                for (const float side : {-1.0f, 1.0f}) {
+                    Ray ray = {{0.3f * half_edge, 0.2f * half_edge, 0.1f * half_edge}, {0.01f, 0.02f, 0.03f}};
+                    ray.origin[axis] = side * (half_edge - TRIANGLE_MARGIN * half_edge);
+                    ray.direction[axis] = -side;
+                    EXPECT_LE(walk(tree, ray).tests, 2u) << half_edge << ' ' << axis << ' ' << side;
+                }
             }
         }
     }
+}
+
+TEST(Tree, a_grid_too_coarse_for_what_is_small_is_not_used) {
+    const auto quantised = [](float half_edge, double most) {
+        TreeSettings settings;
+        settings.grid_growth_most = most;
+        return build_tree(with(room(half_edge), flake(1, 8)), TreeLayout::bvh2q, settings, 1);
+    };
+    const Tree fine = quantised(2, 2), coarse = quantised(2000, 1e9), told = quantised(2000, 2);
+    EXPECT_LT(fine.facts.grid_growth, 1.1);
+    EXPECT_FALSE(fine.nodes2q.empty());
+    EXPECT_GT(coarse.facts.grid_growth, 2);
+    EXPECT_FALSE(coarse.nodes2q.empty());
+    EXPECT_TRUE(told.nodes2q.empty());
+    EXPECT_EQ(told.facts.grid_growth, 1);
+    EXPECT_EQ(told.nodes2.size(), coarse.nodes2q.size());
 }
 
 TEST(Tree, rays_from_farther_away_need_larger_boxes) {
@@ -244,8 +280,9 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 bool same_bytes(const Tree& a, const Tree& b) {
-    return same_bytes(a.nodes2, b.nodes2) && same_bytes(a.triangles, b.triangles) &&
-           same_bytes(a.nodes8, b.nodes8) && same_bytes(a.blocks, b.blocks) && a.facts == b.facts;
+    return same_bytes(a.nodes2, b.nodes2) && same_bytes(a.nodes2q, b.nodes2q) &&
+           same_bytes(a.triangles, b.triangles) && same_bytes(a.nodes8, b.nodes8) &&
+           same_bytes(a.blocks, b.blocks) && a.facts == b.facts;
 }
 
 TEST(Tree, any_number_of_threads_builds_the_same_bytes) {
