@@ -170,7 +170,7 @@ Sides sides_of(const ocl::Device& device, const cl::Program& program, const std:
     const auto corners = corners_of(subject.triangles);
     auto eight = std::async(std::launch::async, [&] { return eight_children(device, program, corners); });
     TinyTree two = two_children(device, program, corners);
-    const TreeLayout layout = device.info.type == "CPU" ? TreeLayout::wide8 : TreeLayout::bvh2q;
+    const TreeLayout layout = device.info.type == "CPU" ? TreeLayout::wide8 : TreeLayout::bvh2;
     Tree tree = build_tree(subject.triangles, layout, {}, 4);
     return {std::move(subject), std::move(tree), std::move(two), eight.get()};
 }
