@@ -131,6 +131,7 @@ void register_host() {
     benchmark::RegisterBenchmark("host/build_tree", build_a_tree)
         ->ArgName("layout")
         ->Arg(static_cast<int>(TreeLayout::bvh2))
+        ->Arg(static_cast<int>(TreeLayout::bvh2q))
         ->Arg(static_cast<int>(TreeLayout::wide8))
         ->Unit(benchmark::kMillisecond);
 }

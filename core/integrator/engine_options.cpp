@@ -93,13 +93,14 @@ TreeLayout layout_of(const Integrator& row, const ocl::Device& device, const Var
 /// as large they are 0.75 with leaves 5.5 times as large, 256 times 2.3 with 40.
 constexpr double bearable_grid_growth = 4;
 
-TreeSettings settings_of(const Variant& variant) {
+TreeSettings settings_of(const Variant& variant, TreeLayout layout) {
     const BvhSplit split = variant.bvh_split;
     TreeSettings settings;
     const bool spatial = split == BvhSplit::spatial || split == BvhSplit::spatial_xyz;
     settings.method = spatial ? TreeMethod::spatial : TreeMethod::sah;
     settings.size_axis = split == BvhSplit::spatial || split == BvhSplit::sah;
-    if (variant.bvh == Bvh::automatic) settings.grid_growth_most = bearable_grid_growth;
+    if (variant.bvh == Bvh::automatic && layout == TreeLayout::bvh2q)
+        settings.grid_growth_most = bearable_grid_growth;
     return settings;
 }
 
@@ -199,7 +200,8 @@ std::string mesh_refusal(const Integrator& row, const ocl::Device& device, const
 DeviceScene device_scene_for(const Integrator& row, const ocl::Device& device, const Scene& scene,
                              const RenderJob& job) {
     DeviceScene result = make_device_scene(scene);
-    add_meshes(result, scene, layout_of(row, device, job.variant), settings_of(job.variant));
+    const TreeLayout layout = layout_of(row, device, job.variant);
+    add_meshes(result, scene, layout, settings_of(job.variant, layout));
     if (row.samples_lamps) add_lamps(result, scene);
     return result;
 }
@@ -207,8 +209,8 @@ DeviceScene device_scene_for(const Integrator& row, const ocl::Device& device, c
 std::shared_ptr<const Tree> tree_for(const Integrator& row, const ocl::Device& device, const Scene& scene,
                                      const RenderJob& job) {
     if (scene.meshes.empty()) return nullptr;
-    return mesh_tree(scene, make_device_scene(scene).origin, layout_of(row, device, job.variant),
-                     settings_of(job.variant));
+    const TreeLayout layout = layout_of(row, device, job.variant);
+    return mesh_tree(scene, make_device_scene(scene).origin, layout, settings_of(job.variant, layout));
 }
 
 std::string engine_refusal(const Integrator& row, const ocl::Device& device, const Scene& scene,

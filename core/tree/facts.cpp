@@ -5,6 +5,8 @@
 #include <bit>
 #include <limits>
 
+#include "core/tree/plane_grid.h"
+
 namespace ptb::tree {
 namespace {
 
@@ -27,12 +29,10 @@ Bounds bounds_of(const ptb_float4& centre, const ptb_float4& half) {
 
 /// By the lower and the upper halves of three words.
 Bounds bounds_of(const TreeGrid& grid, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-    const auto plane = [](std::uint32_t code) {
-        return double{std::bit_cast<float>(TREE_PLANE | (code & 0xffffu) << 8)} - 0.5;
-    };
     const auto corner = [&](unsigned shift) {
-        return std::array{plane(x >> shift) / grid.cells.x, plane(y >> shift) / grid.cells.y,
-                          plane(z >> shift) / grid.cells.z};
+        const auto from_corner = [&](std::uint32_t planes) { return plane(planes >> shift & 0xffffu) - 0.5; };
+        return std::array{from_corner(x) / grid.cells.x, from_corner(y) / grid.cells.y,
+                          from_corner(z) / grid.cells.z};
     };
     return {corner(0), corner(16)};
 }

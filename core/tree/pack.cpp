@@ -21,7 +21,8 @@ float unit_in_the_last_place(float value) {
 
 Padding::Padding(const Soup& soup, const TreeSettings& settings)
     : unit_(static_cast<float>(soup.unit())),
-      margin_(2 * unit_in_the_last_place(std::max(soup.largest_coordinate(), settings.origin_most))) {}
+      margin_(2 * unit_in_the_last_place(std::max(soup.largest_coordinate(), settings.origin_most))),
+      origin_most_(settings.origin_most) {}
 
 Box Padding::pad(const BinaryNode& node) const {
     const Box box = box_of(node);

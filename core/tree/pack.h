@@ -16,10 +16,11 @@ class Padding {
     Box pad(const BinaryNode& node) const;
 
     float margin() const { return margin_; }
+    float origin_most() const { return origin_most_; }
     float unit() const { return unit_; }
 
   private:
-    float unit_, margin_;
+    float unit_, margin_, origin_most_;
 };
 
 /// What is packed, and what of it is needed.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace ptb::tree {
 namespace {
@@ -13,9 +14,8 @@ constexpr double slack = 0x1p-23;       ///< by which a wall at the end of the g
 constexpr double slab_error = 0x1p-21;  ///< of a ray's way through planes, where it begins on the grid
 
 constexpr double least_extent = 0x1p-8;  ///< of an axis, of the largest
+constexpr float coarsest_room = 0.25f;   ///< a place without a child is not entered, either
 constexpr std::uint32_t last_plane = 0xffff;
-
-double plane(std::uint32_t number) { return std::bit_cast<float>(TREE_PLANE | number << 8); }
 
 /// The last one that is not beyond.
 std::uint32_t plane_before(double coordinate) {
@@ -29,10 +29,18 @@ std::uint32_t plane_behind(double coordinate) {
     return number < last_plane && plane(number) < coordinate ? number + 1 : number;
 }
 
+/// What a ray's way is wrong by grows with how far from the grid it begins.
+double margins(const Load& load, const Box& whole, int axis) {
+    const float reach = std::max(-whole.low[axis], whole.high[axis]) * load.padding.unit();
+    return load.padding.origin_most() > reach ? 5 : 3;
+}
+
 float& part(ptb_float4& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 float part(const ptb_float4& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 }  // namespace
+
+double plane(std::uint32_t number) { return std::bit_cast<float>(TREE_PLANE | number << 8); }
 
 PlaneGrid::PlaneGrid(const Load& load) : unit_(load.padding.unit()) {
     const Box whole = load.binary.nodes.empty() ? Box{all(0), all(0)} : box_of(load.binary.nodes[0]);
@@ -43,8 +51,8 @@ PlaneGrid::PlaneGrid(const Load& load) : unit_(load.padding.unit()) {
         part(facts_.low, axis) = static_cast<float>(whole.low[axis] * unit_);
         part(facts_.cells, axis) = cells;
         part(facts_.cell, axis) = 1 / cells;
-        part(facts_.room, axis) =
-            static_cast<float>(3.0 * load.padding.margin() * cells + slab_error + slack);
+        part(facts_.room, axis) = static_cast<float>(
+            margins(load, whole, axis) * load.padding.margin() * cells + slab_error + slack);
     }
 }
 
@@ -76,6 +84,9 @@ double PlaneGrid::seen(float coordinate, int axis) const {
 
 double grid_growth(const Load& load) {
     const PlaneGrid grid(load);
+    const auto sound = [](float room) { return room < coarsest_room; };  // which no NaN is
+    const ptb_float4& room = grid.facts().room;
+    if (!sound(room.x) || !sound(room.y) || !sound(room.z)) return std::numeric_limits<double>::infinity();
     double logarithms = 0, leaves = 0;
     for (const BinaryNode& node : load.binary.nodes) {
         const double before = half_area(box_of(node));

@@ -4,6 +4,9 @@
 
 namespace ptb::tree {
 
+/// The grid coordinate of the plane of this number, at most 0xffff.
+double plane(std::uint32_t number);
+
 /// Planes of boxes by their numbers on a grid around a whole tree: see TreeNode2q. Its first and last planes
 /// are the walls of the tree's box, so that walls of a room are on planes.
 class PlaneGrid {

@@ -41,13 +41,11 @@ Tree build_tree(std::span<const Triangle> triangles, TreeLayout layout, const Tr
     gather_leaves(binary, tree::leaf_rules(layout, settings));
     const tree::Padding padding(soup, settings);
     const tree::Load load{binary, triangles, padding, crew};
-    Tree built = packed(load, layout);
+    const double growth = layout == TreeLayout::bvh2q ? tree::grid_growth(load) : 1;
+    const bool coarse = growth > 1 && growth >= settings.grid_growth_most;
+    Tree built = packed(load, coarse ? TreeLayout::bvh2 : layout);
     built.facts = tree::facts_of(built, triangles.size(), settings);
-    if (layout == TreeLayout::bvh2q) built.facts.grid_growth = tree::grid_growth(load);
-    if (built.facts.grid_growth > settings.grid_growth_most) {
-        built = pack2(load);
-        built.facts = tree::facts_of(built, triangles.size(), settings);
-    }
+    built.facts.grid_growth = coarse ? 1 : growth;
     return built;
 }
 

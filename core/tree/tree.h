@@ -28,7 +28,8 @@ struct TreeFacts {
     /// box.
     double sah_cost = 0;
     /// By what a grid makes leaves' boxes larger: the geometric mean of their surfaces' growth. 1 of layouts
-    /// without one, and where no box has a surface.
+    /// without one, and where no box has a surface; infinite of one
+    /// that holds no box.
     double grid_growth = 1;
     auto operator<=>(const TreeFacts&) const = default;
 };

@@ -64,8 +64,10 @@ static inline void end_search(Scene scene, const Ray* ray, const Search* search,
     const Found found = search->found;
     COUNTED_SEARCH
     if (found.place == TREE_NOTHING) {
+#ifndef SCENE_NO_SPHERES
         COUNTED(1u, SCENE_MOVE_WORK)
         COUNTED(1u, SCENE_CENTRE_WORK)
+#endif
         hit->point = hit->normal = vec_of((float4)(0.0f));
         hit->margin = 0.0f;
         return;

@@ -53,9 +53,7 @@ static inline bool search_is_over(const Search* s) { return s->at == SEARCH_OVER
 
 static inline bool search_leaves_nodes(void) {
 #if PTB_PTX
-    uint here;
-    __asm__ volatile("activemask.b32 %0;" : "=r"(here));
-    return popcount(here) < SEARCH_AT_NODES;
+    return popcount(warp_here()) < SEARCH_AT_NODES;
 #else
     return false;
 #endif

@@ -30,7 +30,8 @@ struct Subject {
         camera.look_at = camera.look_at - origin;
         for (const Triangle& triangle : triangles)
             for (const auto& corner : triangle.corners)
-                for (const float x : corner) margin = std::max<double>(margin, std::abs(x) * 0x1p-20);
+                for (const float x : corner)
+                    margin = std::max<double>(margin, std::abs(x) * double{TRIANGLE_MARGIN});
     }
 };
 

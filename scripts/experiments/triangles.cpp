@@ -83,7 +83,8 @@ int main(int argc, char** argv) {
     }
     std::vector<Runner> runners;
     for (auto dir = end + 1; dir != words.end(); ++dir) runners.push_back({*dir, *dir});
-    for (const auto& [name, bvh] : {std::pair("bvh2", Bvh::bvh2), std::pair("wide8", Bvh::wide8)})
+    for (const auto& [name, bvh] :
+         {std::pair("bvh2", Bvh::bvh2), std::pair("bvh2q", Bvh::bvh2q), std::pair("wide8", Bvh::wide8)})
         runners.push_back({name, runners[0].kernel_dir, bvh});
     const ocl::Device device = ocl::open_device(words[0]);
     fmt::print("{}, pt, 10 segments\n\n| scene | triangles | Gsegments/s", device.info.name);

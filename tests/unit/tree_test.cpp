@@ -248,6 +248,36 @@ TEST(Tree, rays_from_a_wall_do_not_test_that_wall_again) {
     }
 }
 
+/// At corners of the outermost walls, where a box that is met too small loses them.
+TEST(Tree, rays_from_outside_of_the_grid_miss_no_box) {
+    const Triangles scene = with(room(1), soup(300, 0.3f));
+    for (const float most : {1.3f, 1.99f, 3.9f, 31.0f}) {
+        TreeSettings settings;
+        settings.origin_most = most;
+        const Tree tree = build_tree(scene, TreeLayout::bvh2q, settings, 1);
+        EXPECT_GE(tree.grid.room.x * tree.grid.cell.x, 10 * 0x1p-24f * most);
+        Dice dice(5);
+        for (int i = 0; i < 20000; ++i) {
+            const auto& corner =
+                scene[static_cast<std::size_t>(i) % 12].corners[static_cast<std::size_t>(i) % 3];
+            Ray ray = {{dice.between(-most, most), dice.between(-most, most), most}, {}};
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                ray.direction[axis] = corner[axis] * dice.between(0.9999f, 1) - ray.origin[axis];
+            ASSERT_LE(walk(tree, ray).distance, look_everywhere(scene, ray).distance) << most << " ray " << i;
+        }
+    }
+}
+
+TEST(Tree, a_grid_that_holds_no_box_is_not_used) {
+    TreeSettings far;
+    far.origin_most = 2e4f;
+    const Triangles small = {{{{{0, 0, 0}, {0.01f, 0, 0}, {0, 0.01f, 0}}}}};
+    const Tree tree = build_tree(small, TreeLayout::bvh2q, far, 1);
+    EXPECT_TRUE(tree.nodes2q.empty());
+    EXPECT_EQ(tree.nodes2.size(), 1u);
+    EXPECT_EQ(walk(tree, {{1e4f, 0, 0}, {0, 1, 0}}).number, TREE_NOTHING);
+}
+
 TEST(Tree, a_grid_too_coarse_for_what_is_small_is_not_used) {
     const auto quantised = [](float half_edge, double most) {
         TreeSettings settings;
@@ -281,8 +311,8 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
 
 bool same_bytes(const Tree& a, const Tree& b) {
     return same_bytes(a.nodes2, b.nodes2) && same_bytes(a.nodes2q, b.nodes2q) &&
-           same_bytes(a.triangles, b.triangles) && same_bytes(a.nodes8, b.nodes8) &&
-           same_bytes(a.blocks, b.blocks) && a.facts == b.facts;
+           std::memcmp(&a.grid, &b.grid, sizeof a.grid) == 0 && same_bytes(a.triangles, b.triangles) &&
+           same_bytes(a.nodes8, b.nodes8) && same_bytes(a.blocks, b.blocks) && a.facts == b.facts;
 }
 
 TEST(Tree, any_number_of_threads_builds_the_same_bytes) {
@@ -292,8 +322,9 @@ TEST(Tree, any_number_of_threads_builds_the_same_bytes) {
     for (const int threads : {2, 3, 8})
         EXPECT_TRUE(same_bytes(alone, build_tree(scene, TreeLayout::bvh2, {}, threads)))
             << threads << " threads";
-    EXPECT_TRUE(
-        same_bytes(build_tree(scene, TreeLayout::wide8, {}, 1), build_tree(scene, TreeLayout::wide8, {}, 3)));
+    for (const TreeLayout layout : layouts)
+        EXPECT_TRUE(same_bytes(build_tree(scene, layout, {}, 1), build_tree(scene, layout, {}, 3)))
+            << static_cast<int>(layout);
 }
 
 // ---- facts ----
