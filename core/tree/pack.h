@@ -34,9 +34,6 @@ struct Load {
 /// Without facts. Throw std::logic_error where a leaf is larger than the layout's.
 Tree pack2(const Load& load);
 Tree pack2q(const Load& load);
-
-/// TreeFacts::grid_growth of what pack2q makes.
-double grid_growth(const Load& load);
 Tree pack8(const Load& load);
 
 /// Throws std::logic_error if a leaf of this many references is none of a layout.

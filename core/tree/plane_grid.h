@@ -28,4 +28,7 @@ class PlaneGrid {
     TreeGrid facts_{};
 };
 
+/// TreeFacts::grid_growth of what pack2q makes; infinite where the grid holds no box.
+double grid_growth(const Load& load);
+
 }  // namespace ptb::tree

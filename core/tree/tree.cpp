@@ -3,6 +3,7 @@
 #include "core/tree/facts.h"
 #include "core/tree/leaves.h"
 #include "core/tree/pack.h"
+#include "core/tree/plane_grid.h"
 #include "core/tree/reinsertion.h"
 
 namespace ptb {

@@ -28,8 +28,8 @@ struct TreeFacts {
     /// box.
     double sah_cost = 0;
     /// By what a grid makes leaves' boxes larger: the geometric mean of their surfaces' growth. 1 of layouts
-    /// without one, and where no box has a surface; infinite of one
-    /// that holds no box.
+    /// without a grid, and where no box has a surface. TreeSettings::grid_growth_most is the most that
+    /// it may be.
     double grid_growth = 1;
     auto operator<=>(const TreeFacts&) const = default;
 };
