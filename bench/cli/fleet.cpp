@@ -118,7 +118,7 @@ void begin(Part& part, const Options& options, const std::vector<std::string>& a
     run.expected = sorted(std::move(run.expected));
     run.lease = this_lease();
     part.result.host.node = part.node;
-    prepared.plan.cases = missing(prepared.planned, part.result.cases);
+    plan_missing(prepared, part.result.cases);
     if (!prepared.plan.cases.empty()) run.finished_at.clear();
 }
 

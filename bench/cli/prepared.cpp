@@ -73,6 +73,19 @@ RunPlan empty_plan(const Config& config, const RunFlags& flags) {
     return plan;
 }
 
+void plan_missing(Prepared& prepared, const std::vector<Record>& records) {
+    RunPlan& plan = prepared.plan;
+    plan.cases = missing(prepared.planned, records);
+    if (plan.max_total_time_s <= 0) return;
+    const auto rank = [&](const Case& c) {
+        const auto same = [&](const DeviceInfo& device) { return device.key == c.device; };
+        const auto device = std::find_if(plan.devices.begin(), plan.devices.end(), same);
+        return std::pair(device, c.spp);
+    };
+    std::stable_sort(plan.cases.begin(), plan.cases.end(),
+                     [&](const Case& a, const Case& b) { return rank(a) < rank(b); });
+}
+
 ResultFile start_result(const Prepared& prepared, const Options& options,
                         const std::vector<std::string>& argv) {
     ResultFile result;

@@ -28,6 +28,10 @@ std::vector<std::string> check_before_devices(const Config& config, const Common
 /// The plan of a config, but for devices and cases.
 RunPlan empty_plan(const Config& config, const RunFlags& flags);
 
+/// Puts into the plan what has no record: in the order planned; under a budget each device's cases of the
+/// fewest samples first, so that every kernel has a time before any has its longest.
+void plan_missing(Prepared& prepared, const std::vector<Record>& records);
+
 /// A result without a record.
 ResultFile start_result(const Prepared& prepared, const Options& options,
                         const std::vector<std::string>& argv);

@@ -44,7 +44,8 @@ Prepared prepare(const Options& options) {
     prepared.tuned = prepared.earlier && !options.run.no_tuned
                          ? prepared.earlier->run.tuned
                          : stored_launches(options, prepared.config, plan.devices);
-    prepared.planned = plan.cases = expand(prepared.config, plan.devices, prepared.tuned);
+    prepared.planned = expand(prepared.config, plan.devices, prepared.tuned);
+    plan_missing(prepared, {});
     return prepared;
 }
 
@@ -59,7 +60,7 @@ std::unique_ptr<IcdFolder> only_driver(const std::vector<DeviceInfo>& devices) {
 void resume(const Options& options, Prepared& prepared, ResultFile& result) {
     go_on(result, *prepared.earlier, prepared.planned, "--resume: " + options.run.resume,
           prepared.config.measure.kernel_dir);
-    prepared.plan.cases = missing(prepared.planned, result.cases);
+    plan_missing(prepared, result.cases);
     tell(options.common, fmt::format("resumed: {} of {} cases are in {}", result.cases.size(),
                                      prepared.planned.size(), options.run.resume));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -66,19 +67,75 @@ Case work_of(Case c) {
     return c;
 }
 
-/// Entries of one work: the usual one where there is any, else that of the most cases.
-std::vector<Entry> entries_of(const std::vector<const ResultFile*>& runs) {
-    std::map<Case, std::vector<Entry>> works;
+std::vector<std::string> kernels_in_order() {
+    std::vector<std::string> kernels{base_kernel};
+    for (const Integrator& each : integrators())
+        if (each.id != base_kernel) kernels.push_back(each.id);
+    return kernels;
+}
+
+/// What devices are compared in.
+struct KernelWork {
+    std::string kernel;
+    Case work;
+    std::vector<Entry> entries;
+    bool is_usual() const { return unusual(work, other_axes()) == 0; }
+};
+
+/// The greatest of a kernel's works is its ranking: the usual work, else that of the most devices.
+auto worth(const KernelWork& c) {
+    std::set<std::string> devices;
+    for (const Entry& e : c.entries) devices.insert(e.device);
+    return std::tuple(c.is_usual(), devices.size(), -unusual(c.work, other_axes()), c.entries.size());
+}
+
+std::vector<KernelWork> all_works(const std::vector<const ResultFile*>& runs) {
+    std::map<std::pair<std::string, Case>, KernelWork> all;
     for (std::size_t i = 0; i < runs.size(); ++i)
-        for (const Record& record : comparable(*runs[i]))
-            works[work_of(record.params)].push_back(
+        for (const Record& record : comparable(*runs[i])) {
+            const std::string& kernel = record.params.kernel;
+            const Case work = work_of(record.params);
+            KernelWork& same = all.try_emplace({kernel, work}, KernelWork{kernel, work, {}}).first->second;
+            same.entries.push_back(
                 {record, i, device_label(*runs[i], record.params.device), runs[i]->run.started_at});
-    const auto rank = [](const auto& work) {
-        return std::tuple(unusual(work.first, other_axes()) == 0, work.second.size());
-    };
-    const auto best = std::max_element(works.begin(), works.end(),
-                                       [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-    return best == works.end() ? std::vector<Entry>() : best->second;
+        }
+    std::vector<KernelWork> works;
+    for (auto& each : all) works.push_back(std::move(each.second));
+    return works;
+}
+
+/// One of each kernel without triangles and one with them, where they ran, in the kernels' order.
+std::vector<KernelWork> works_of(const std::vector<const ResultFile*>& runs) {
+    std::map<std::tuple<std::size_t, std::string, bool>, KernelWork> best;
+    const auto kernels = kernels_in_order();
+    for (KernelWork& c : all_works(runs)) {
+        const auto place = std::find(kernels.begin(), kernels.end(), c.kernel) - kernels.begin();
+        const bool triangles = c.entries.front().record.tree.has_value();
+        KernelWork& most = best[{static_cast<std::size_t>(place), c.kernel, triangles}];
+        if (most.entries.empty() || worth(most) < worth(c)) most = std::move(c);
+    }
+    std::vector<KernelWork> works;
+    for (auto& each : best) works.push_back(std::move(each.second));
+    return works;
+}
+
+/// "pt"; "pt, flake" of another scene than the usual.
+std::string title_of(const KernelWork& c) {
+    const bool usual_scene = c.work.scene == default_case().scene;
+    return usual_scene ? c.kernel : fmt::format("{}, {}", c.kernel, c.work.scene);
+}
+
+/// "scene thesis, path length 128", and what else is unusual.
+std::string text_of(Case work) {
+    const std::string named = fmt::format("scene {}, path length {}", work.scene, work.path_length);
+    work.scene = default_case().scene;
+    work.path_length = default_case().path_length;
+    return named + unusual_text(work);
+}
+
+bool lists_rays(const std::string& kernel) {
+    const auto ids = integrator_ids();
+    return std::find(ids.begin(), ids.end(), kernel) != ids.end() && integrator(kernel).lists_rays;
 }
 
 std::string detail_of(const Record& record) {
@@ -89,8 +146,7 @@ std::string detail_of(const Record& record) {
 
 /// Of each device the case of the most samples, of those whose median has an interval where any has; of equal
 /// ones that of the usual lanes, of the newest run.
-std::vector<Standing> standings_of(const std::vector<Entry>& entries, const std::string& kernel,
-                                   Measure measure) {
+std::vector<Standing> standings_of(const std::vector<Entry>& entries, Measure measure) {
     const auto rank = [](const Entry& e) {
         const Case& c = e.record.params;
         return std::tuple(e.record.statistics->ci_low_ns.has_value(),
@@ -98,7 +154,7 @@ std::vector<Standing> standings_of(const std::vector<Entry>& entries, const std:
     };
     std::map<std::string, const Entry*> of_device;
     for (const Entry& entry : entries) {
-        if (entry.record.params.kernel != kernel || !measure(entry.record)) continue;
+        if (!measure(entry.record)) continue;
         const Entry*& best = of_device[entry.device];
         if (best == nullptr || rank(*best) < rank(entry)) best = &entry;
     }
@@ -110,23 +166,27 @@ std::vector<Standing> standings_of(const std::vector<Entry>& entries, const std:
     return standings;
 }
 
-/// Segments a sample of a kernel, as counted; 0 where it did not run.
-double segments_a_sample(const std::vector<Entry>& entries, const std::string& kernel) {
+/// Segments a sample, as counted; 0 where they were not.
+double segments_a_sample(const std::vector<Entry>& entries) {
     for (const Entry& e : entries)
-        if (e.record.params.kernel == kernel && e.record.work && e.record.work->samples > 0)
+        if (e.record.work && e.record.work->samples > 0)
             return static_cast<double>(e.record.work->segments) / static_cast<double>(e.record.work->samples);
     return 0;
 }
 
-/// Each published device by its row of the most samples.
-std::vector<Standing> published_standings(const PublishedTable& table, const std::vector<Entry>& entries) {
-    const double segments = segments_a_sample(entries, table.kernel);
-    const Case work = entries.empty() ? Case() : work_of(entries.front().record.params);
+/// Each published device by its row of the most samples, where the published kernel did the same work.
+std::vector<Standing> published_standings(const PublishedTable& table, const std::vector<KernelWork>& works) {
+    const auto own = std::find_if(works.begin(), works.end(), [&](const KernelWork& c) {
+        return c.kernel == table.kernel && c.work.scene == table.scene;
+    });
+    if (own == works.end()) return {};
+    const double segments = segments_a_sample(own->entries);
     std::map<std::string, const PublishedRow*> of_device;
     for (const PublishedRow& row : table.rows) {
-        const bool same = row.path_length == work.path_length && table.scene == work.scene;
         const PublishedRow*& most = of_device[row.device];
-        if (same && segments > 0 && (most == nullptr || row.spp > most->spp)) most = &row;
+        if (row.path_length == own->work.path_length && segments > 0 &&
+            (most == nullptr || row.spp > most->spp))
+            most = &row;
     }
     std::vector<Standing> standings;
     for (const auto& [device, row] : of_device) {
@@ -140,13 +200,6 @@ std::vector<Standing> published_standings(const PublishedTable& table, const std
     return standings;
 }
 
-std::vector<std::string> kernels_in_order() {
-    std::vector<std::string> kernels{base_kernel};
-    for (const Integrator& each : integrators())
-        if (each.id != base_kernel) kernels.push_back(each.id);
-    return kernels;
-}
-
 void append(std::vector<Ranking>& all, Ranking ranking) {
     if (ranking.standings.empty()) return;
     std::stable_sort(ranking.standings.begin(), ranking.standings.end(),
@@ -157,29 +210,27 @@ void append(std::vector<Ranking>& all, Ranking ranking) {
 }  // namespace
 
 std::vector<Ranking> rankings(const std::vector<const ResultFile*>& runs, const PublishedTable& published) {
-    const auto entries = entries_of(runs);
-    const auto old = published_standings(published, entries);
-    const std::string old_note =
-        old.empty()
-            ? ""
-            : fmt::format(
-                  "{}: samples a second as published, times the segments that {} traces in a sample here",
-                  published.year, published.kernel);
+    const auto works = works_of(runs);
+    const auto old = published_standings(published, works);
     std::vector<Ranking> all;
-    for (const std::string& kernel : kernels_in_order()) {
-        Ranking ranking{kernel, "Msegments/s", "", standings_of(entries, kernel, msegments_per_s)};
-        if (!ranking.standings.empty() && (kernel == base_kernel || kernel == published.kernel)) {
+    for (const KernelWork& c : works) {
+        Ranking ranking{title_of(c), lists_rays(c.kernel) ? "Mrays/s" : "Msegments/s", text_of(c.work), "",
+                        standings_of(c.entries, msegments_per_s)};
+        const bool as_published = c.is_usual() && (c.kernel == base_kernel || c.kernel == published.kernel);
+        if (as_published && !old.empty()) {
             ranking.standings.insert(ranking.standings.end(), old.begin(), old.end());
-            ranking.note = old_note;
+            ranking.note = fmt::format(
+                "{}: samples a second as published, times the segments that {} traces in a sample here",
+                published.year, published.kernel);
         }
         append(all, ranking);
     }
-    for (const std::string& kernel : kernels_in_order())
-        append(all, {kernel + ", efficiency", "1/(relMSE s) of a megapixel", "",
-                     standings_of(entries, kernel, efficiency_of_megapixel)});
-    for (const std::string& kernel : kernels_in_order())
-        append(all, {kernel + ", per joule", "Msegments/J", "",
-                     standings_of(entries, kernel, msegments_per_joule)});
+    for (const KernelWork& c : works)
+        append(all, {title_of(c) + ", efficiency", "1/(relMSE s) of a megapixel", text_of(c.work), "",
+                     standings_of(c.entries, efficiency_of_megapixel)});
+    for (const KernelWork& c : works)
+        append(all, {title_of(c) + ", per joule", "Msegments/J", text_of(c.work), "",
+                     standings_of(c.entries, msegments_per_joule)});
     return all;
 }
 

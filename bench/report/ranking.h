@@ -20,13 +20,14 @@ struct Standing {
 
 /// Devices by one measure of the same work, the best first.
 struct Ranking {
-    std::string title, unit, note;
+    std::string title, unit, work, note;  ///< "bdpt"; "Msegments/s"; "scene thesis, path length 8"
     std::vector<Standing> standings;
 };
 
 /// What the runs' devices can be ranked by: the speed of each kernel, `pt` first, then what efficiencies and
-/// energies there are. Published devices stand where their samples a second put them: their segments are
-/// taken for those that the same kernel traces in these runs.
+/// energies there are. A kernel's work is the usual one; where it does not do that, the one that the most
+/// devices did. Kernels that met triangles have a ranking of these, too. Published devices stand where their
+/// samples a second put them: their segments are taken for those that the same kernel traces in these runs.
 std::vector<Ranking> rankings(const std::vector<const ResultFile*>& runs, const PublishedTable& published);
 
 }  // namespace ptb

@@ -10,7 +10,7 @@ from validate_schema import schema_errors
 FLAGS = ("-d", "pocl:1", "--kernel", "pt", "--size", "16,24x8", "--spp", "1:4:x2", "--path-length", "5", "--wg",
          "implicit,64,8x8", "--lanes", "4")
 CONFIG = {
-    "name": "quick", "device": "pocl:1",
+    "name": "quick", "device": "pocl:1", "max_total_time": 100,
     "series": [{"kernel": "pt", "size": ["16", "24x8"], "spp": "[1:4:x2]", "path_length": 5,
                 "work_group": ["implicit", 64, "8x8"], "lanes": 4}],
 }
@@ -66,6 +66,17 @@ class Plan(CliTest):
     def test_a_config_without_series_is_one_case(self):
         self.scratch.write("empty.json", {})
         self.assertEqual(len(self.plan("--config", "empty.json", "-d", "0").splitlines()), 1)
+
+    def test_a_budget_goes_to_the_fewest_samples_of_every_kernel_first(self):
+        words = ("-d", "pocl:0,pocl:1", "--kernel", "pt,thesis", "--size", "16", "--wg", "implicit", "--spp", "1,4")
+        order = lambda plan: re.findall(r"(pocl:\d).*?\b(pt|thesis)\b.*?spp (\d+)", plan)
+        self.assertEqual(order(self.plan(*words, "--max-total-time", "0")),
+                         [(device, kernel, spp)
+                         for device in ("pocl:0", "pocl:1") for kernel in ("pt", "thesis") for spp in "14"])
+        budget = self.plan(*words, "--max-total-time", "100")
+        self.assertEqual(order(budget),
+                         [(device, kernel, spp)
+                         for device in ("pocl:0", "pocl:1") for spp in "14" for kernel in ("pt", "thesis")])
 
 
 class DumpConfig(CliTest):

@@ -91,6 +91,43 @@ TEST(ranking, unusual_work_is_not_mixed_with_the_usual) {
     EXPECT_THAT(rankings({&f}, {}).at(0).standings, ElementsAre(stands("device a", 500)));
 }
 
+TEST(ranking, a_kernel_that_does_not_do_the_usual_work_is_ranked_by_that_of_the_most_devices) {
+    const auto of_length_8 = [](Record record, const std::string& scene) {
+        record.params.scene = scene;
+        record.params.path_length = 8;
+        return record;
+    };
+    const ResultFile f =
+        run({timed("a", "pt", 10, 500), of_length_8(timed("a", "pt", 1000, 9999), "gap"),
+             of_length_8(timed("a", "bdpt", 10, 1), default_case().scene),
+             of_length_8(timed("a", "bdpt", 10, 40), "gap"), of_length_8(timed("b", "bdpt", 10, 30), "gap")});
+    const auto all = rankings({&f}, table_1());
+    ASSERT_EQ(all.size(), 2u);
+    EXPECT_EQ(all[0].work, "scene thesis, path length 128");
+    EXPECT_EQ(all[1].title, "bdpt, gap");
+    EXPECT_EQ(all[1].work, "scene gap, path length 8");
+    EXPECT_THAT(all[1].standings, ElementsAre(stands("device a", 40), stands("device b", 30)));
+}
+
+TEST(ranking, triangles_have_rankings_of_their_own) {
+    const auto of_triangles = [](Record record, int path_length) {
+        record.params.scene = "flake";
+        record.params.path_length = path_length;
+        record.tree = TreeRecord{};
+        return record;
+    };
+    const ResultFile f = run({timed("a", "pt", 10, 500), of_triangles(timed("a", "pt", 10, 200), 10),
+                              of_triangles(timed("a", "rays", 1, 300), 1)});
+    const auto all = rankings({&f}, {});
+    ASSERT_EQ(all.size(), 3u);
+    EXPECT_EQ(all[0].title, "pt");
+    EXPECT_EQ(all[1].title, "pt, flake");
+    EXPECT_EQ(all[1].work, "scene flake, path length 10");
+    EXPECT_THAT(all[1].standings, ElementsAre(stands("device a", 200)));
+    EXPECT_EQ(all[2].title, "rays, flake");
+    EXPECT_EQ(all[2].unit, "Mrays/s");
+}
+
 TEST(ranking, efficiencies_of_unlike_sizes_are_of_a_megapixel) {
     Record record = timed("a", "pt", 10, 500);
     record.efficiency = Efficiency{Noise{0.1, 0, 200, 180, 220}, std::nullopt, "film", ""};
