@@ -80,7 +80,7 @@ class Confirming {
         ResultFile result = header(device);
         const auto file = session_file(folder_, judged_.confirmation, *session.card, session.number);
         JournalWriter journal(file, result);
-        result.cases = coordinator.run(coordinator.estimate(), {&journal});
+        result.cases = coordinator.run(coordinator.estimate_within_budget(), {&journal});
         outcome_ |= outcome_of(result.cases);
         outcome_.failed |= coordinator.has_given_up();
         if (stopped_()) return;

@@ -133,7 +133,7 @@ void run_part(const Options& options, Part& part, Coordinator& coordinator) {
     add_gone(part);
     JournalWriter journal(part.folder.journal(part.node), result);
     part.folder.refuse(part.node, "");
-    const Forecast forecast = coordinator.estimate();
+    const Forecast forecast = coordinator.estimate_within_budget();
     tell(options.common, prediction_text(forecast, prepared.plan.cases, prepared.config.max_total_time_s));
     if (options.run.peaks && result.peaks.empty()) result.peaks = coordinator.peaks();
     measure_plan(options.common, prepared, coordinator, forecast, journal, result);

@@ -67,7 +67,7 @@ void resume(const Options& options, Prepared& prepared, ResultFile& result) {
 
 void run_plan(const Options& options, const Prepared& prepared, const Outputs& outputs,
               Coordinator& coordinator, ResultFile& result) {
-    const Forecast forecast = coordinator.estimate();
+    const Forecast forecast = coordinator.estimate_within_budget();
     tell(options.common, prediction_text(forecast, prepared.plan.cases, prepared.config.max_total_time_s));
     if (options.run.peaks) result.peaks = coordinator.peaks();
     JournalWriter journal(outputs.journal(), result);

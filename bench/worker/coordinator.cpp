@@ -52,6 +52,10 @@ double repetitions_s(const RunPlan& plan) {
     return plan.max_total_time_s / 4 / static_cast<double>(plan.cases.size());
 }
 
+/// Of a budget, how much may go into estimates, each of which compiles a kernel: what is not known after that
+/// is learned from what is measured.
+constexpr double most_estimating = 0.25;
+
 /// Seconds that one sample of each case after the i-th takes: no case's repetitions may use them up. What
 /// does not fit into the budget anyway has no part in it.
 std::vector<double> samples_to_come(const RunPlan& plan, const Forecast& forecast) {
@@ -157,10 +161,21 @@ Coordinator::Coordinator(RunPlan plan, OpenChannel open, Stopped stopped, Second
 }
 
 Forecast Coordinator::estimate() {
+    return estimated([] { return false; });
+}
+
+Forecast Coordinator::estimate_within_budget() {
+    return estimated([&] {
+        const auto left_s = budget_left_s();
+        return left_s && *left_s < (1 - most_estimating) * plan_.max_total_time_s;
+    });
+}
+
+Forecast Coordinator::estimated(const Stopped& enough) {
     Forecast forecast(plan_.measure);
     std::map<CostKey, bool> asked;
     for (const Case& c : plan_.cases) {
-        if (stopped_() || !asked.try_emplace(cost_key(c), true).second) continue;
+        if (stopped_() || enough() || !asked.try_emplace(cost_key(c), true).second) continue;
         DeviceWorker& worker = worker_of(c.device);
         if (!worker.ready()) continue;
         Request request;
@@ -181,7 +196,7 @@ std::vector<DevicePeaks> Coordinator::peaks() {
     return all;
 }
 
-std::vector<Record> Coordinator::run(const Forecast& forecast, const std::vector<RunObserver*>& observers) {
+std::vector<Record> Coordinator::run(Forecast forecast, const std::vector<RunObserver*>& observers) {
     std::vector<Record> records;
     reserved_s_ = samples_to_come(plan_, forecast);
     for (std::size_t i = 0; i < plan_.cases.size(); ++i) {
@@ -191,6 +206,8 @@ std::vector<Record> Coordinator::run(const Forecast& forecast, const std::vector
             for (RunObserver* observer : observers) observer->progressed(i, c, progress);
         }));
         for (RunObserver* observer : observers) observer->finished(i, records.back());
+        if (!forecast.knows(c) && forecast.learn(records.back()))
+            reserved_s_ = samples_to_come(plan_, forecast);
     }
     close_live();
     for (const auto& [device, worker] : workers_)

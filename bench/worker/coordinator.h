@@ -59,12 +59,14 @@ class Coordinator {
 
     /// Asks each device what a pixel sample of each (kernel, scene, path length, lanes) costs.
     Forecast estimate();
+    /// The same, until a quarter of the budget is gone.
+    Forecast estimate_within_budget();
 
     /// Asks each device what it can do at most.
     std::vector<DevicePeaks> peaks();
 
-    /// Runs the plan in its order; `observers` hear of each case.
-    std::vector<Record> run(const Forecast& forecast, const std::vector<RunObserver*>& observers);
+    /// Runs the plan in its order; `observers` hear of each case. What is not forecast is learned on the way.
+    std::vector<Record> run(Forecast forecast, const std::vector<RunObserver*>& observers);
 
     /// Pictures that were not written, and workers that were given up: "no picture of pocl:0: disk full".
     const std::vector<std::string>& remarks() const { return remarks_; }
@@ -74,6 +76,7 @@ class Coordinator {
 
   private:
     DeviceWorker& worker_of(const std::string& device);
+    Forecast estimated(const Stopped& enough);
     std::optional<double> budget_left_s() const;
     std::string not_to_try(const Case& c, const Forecast& forecast) const;
     Request run_request(std::size_t index) const;

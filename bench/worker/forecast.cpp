@@ -11,6 +11,13 @@ namespace ptb {
 
 CostKey cost_key(const Case& c) { return {c.device, c.kernel, c.scene, c.path_length, c.lanes, c.variant}; }
 
+bool Forecast::learn(const Record& measured) {
+    if (!measured.statistics) return false;
+    const Case& c = measured.params;
+    learn(c, measured.statistics->median_ns / (static_cast<double>(c.size.pixels()) * c.spp));
+    return true;
+}
+
 std::optional<double> Forecast::sample_s(const Case& c) const {
     const auto found = ns_per_sample_.find(cost_key(c));
     if (found == ns_per_sample_.end()) return std::nullopt;
@@ -50,8 +57,11 @@ std::string prediction_text(const Forecast& forecast, const std::vector<Case>& c
         longest = &c;
     }
     if (longest == nullptr) return {};
+    const bool all =
+        std::all_of(cases.begin(), cases.end(), [&](const Case& c) { return forecast.knows(c); });
     const bool cut = max_total_time_s > 0 && total_s > max_total_time_s;
-    return fmt::format("predicted: {}{} (longest sample: {} on {}, spp {}: {})", duration_text(total_s),
+    return fmt::format("predicted: {}{}{} (longest sample: {} on {}, spp {}: {})", all ? "" : "at least ",
+                       duration_text(total_s),
                        cut ? fmt::format(", cut to the budget of {}", duration_text(max_total_time_s)) : "",
                        longest->kernel, longest->device, longest->spp, duration_text(longest_s));
 }

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "bench/plan/config.h"
+#include "bench/record/record.h"
 
 namespace ptb {
 
@@ -19,6 +20,8 @@ class Forecast {
     explicit Forecast(const MeasureOptions& measure) : measure_(measure) {}
 
     void learn(const Case& c, double ns_per_sample) { ns_per_sample_[cost_key(c)] = ns_per_sample; }
+    /// Of a case that was measured. False where it has no time.
+    bool learn(const Record& measured);
     bool knows(const Case& c) const { return ns_per_sample_.contains(cost_key(c)); }
 
     /// One timed sample: one render of the case's work.
@@ -35,8 +38,8 @@ class Forecast {
 /// "0.4 s", "12 s", "3 min 20 s", "2 h 5 min"
 std::string duration_text(double seconds);
 
-/// "predicted: 34 min (longest sample: thesis on pocl:0, spp 1000: 29 min)", or nothing when nothing is
-/// known.
+/// "predicted: 34 min (longest sample: thesis on pocl:0, spp 1000: 29 min)", "at least" where not all is
+/// known; nothing when nothing is.
 std::string prediction_text(const Forecast& forecast, const std::vector<Case>& cases,
                             double max_total_time_s);
 

@@ -72,8 +72,8 @@ std::string memory_refusal(const Integrator& row, const ocl::Device& device, con
     return "";
 }
 
-/// CPUs have registers of eight floats. GPUs count the loads of lanes that wait for each other, as those of
-/// all rays of `pt` do, and instructions where each ray is searched for to its end.
+/// CPUs have registers of eight floats. GPUs count the loads of lanes that wait for each other, and
+/// instructions where a ray is searched for to its end.
 TreeLayout layout_of(const Integrator& row, const ocl::Device& device, const Variant& variant) {
     switch (variant.bvh) {
         case Bvh::bvh2:
@@ -86,7 +86,7 @@ TreeLayout layout_of(const Integrator& row, const ocl::Device& device, const Var
             break;
     }
     if (!is_throughput_device(device)) return TreeLayout::wide8;
-    return row.lists_rays || row.samples_lamps ? TreeLayout::bvh2 : TreeLayout::bvh2q;
+    return row.rays_wait ? TreeLayout::bvh2q : TreeLayout::bvh2;
 }
 
 /// Nodes of two loads in place of four are worth that much larger leaves: in a flake whose room is 64 times

@@ -1,5 +1,6 @@
 /* `direct`: ray tracing with lamps as areas. Mirrors and glass are followed to the first matte surface, which is lit by one
    lamp, asked at a random point: soft shadows, and no light from matte to matte. */
+#define PATH_ASKS
 #include "engine/light.h"
 #include "engine/work.h"
 #include "scene/scatter.h"

@@ -98,9 +98,15 @@ static inline void gather_unless_shadowed(const World* world, Path* path, lanes_
     COUNTED_LANES(counts & lit, LIGHT_SENT_WORK)
     Ray shadow = path->ray;
     shadow.direction = direction;
+    path->shadow_rays += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), lit);
+#if PATH_WAITS
+    const ShadowRay asked = {lit && may_see(world->scene, &shadow, &path->inside, distance, face), direction, distance, face};
+    path->shadow = asked;
+    path->awaited = vec_mul(path->throughput, radiance);
+#else
     const lanes_mask seen = lit & sees(world->scene, &shadow, &path->inside, distance, face COUNTED_ARGUMENT);
     path->radiance = vec_select(path->radiance, vec_mul_add(path->radiance, path->throughput, radiance), seen);
-    path->shadow_rays += lanes_select_u((lanes_u)(0u), (lanes_u)(1u), lit);
+#endif
 }
 
 /* The unit normal on the path's side of matte hits. */

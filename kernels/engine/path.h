@@ -3,6 +3,7 @@
 #define PTB_ENGINE_PATH_H
 
 #include "scene/lamps.h"
+#include "scene/meet.h"
 
 /* PATH_GATHERS: a path sums the radiance of what it meets. Where every emitter ends the path, and nothing else gives it
    light, its radiance is only asked for at the end. */
@@ -17,6 +18,13 @@
 #define SHINE_AND_GO_ON 0
 #endif
 
+/* PATH_ASKS: a path asks one lamp at a hit, at most. With SCENE_PAUSES the shadow ray goes its way as any ray does. */
+#if defined(PATH_ASKS) && defined(SCENE_PAUSES)
+#define PATH_WAITS 1
+#else
+#define PATH_WAITS 0
+#endif
+
 typedef struct Path {
     Ray ray;
     Vec throughput;
@@ -25,6 +33,11 @@ typedef struct Path {
     lanes_f inverse_density; /* 1 / density, by solid angle, of the direction that it goes in; 0 where the camera, a mirror or
                                 glass left no choice */
     lanes_u shadow_rays;     /* by this lane, ever */
+#endif
+#if PATH_WAITS
+    ShadowRay shadow;
+    Vec awaited; /* radiance by way of the shadow ray */
+    bool ends;   /* when the shadow ray has */
 #endif
 #ifdef PATH_ODDS
     lanes_f odds; /* of other strategies that make the same path, as its integrator keeps them; below 0 of a camera's ray */
@@ -44,6 +57,10 @@ static inline Path no_path(void) {
     path.inverse_density = (lanes_f)(0.0f);
     path.shadow_rays = none;
 #endif
+#if PATH_WAITS
+    path.shadow.asked = path.ends = false;
+    path.awaited = zero;
+#endif
 #ifdef PATH_ODDS
     path.odds = (lanes_f)(-1.0f);
 #endif
@@ -62,6 +79,17 @@ static inline lanes_u shadow_rays_of(const Path* path) {
 #else
     (void)path;
     return (lanes_u)(0u);
+#endif
+}
+
+/* None is asked but by paths that wait. */
+static inline ShadowRay shadow_ray_of(const Path* path) {
+#if PATH_WAITS
+    return path->shadow;
+#else
+    const ShadowRay none = {0};
+    (void)path;
+    return none;
 #endif
 }
 

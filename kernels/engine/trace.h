@@ -26,6 +26,68 @@ static inline Traced traced_by(const Path* path, uint turn) {
     return traced;
 }
 
+/* Goes on from where rays have come to: to their hits, and after them. Returns the lanes whose path ends at this face. */
+#if PATH_WAITS
+
+static inline bool arrive(const World* world, Path* path, const Meeting* meeting, bool alive, uint* turn, uint* face COUNTED_PARAMETER) {
+    if (meeting->of_shadow_ray) {
+        path->shadow.asked = false;
+        if (has_seen(meeting COUNTED_ARGUMENT)) path->radiance = vec_add_scaled(path->radiance, path->awaited, 1.0f);
+    } else {
+        const Hit hit = end_meeting(world->scene, &path->ray, &path->inside, meeting COUNTED_ARGUMENT);
+        *face = hit_face(&hit);
+        path->ends = trace_segment(world, path, &hit, alive, *turn COUNTED_ARGUMENT);
+        *turn = uint_hold(*turn + 1u);
+    }
+    return path->ends && !path->shadow.asked;
+}
+
+#else
+
+static inline lanes_mask arrive(const World* world, Path* path, const Meeting* meeting, lanes_mask alive, uint* turn,
+                                lanes_u* face COUNTED_PARAMETER) {
+    const uint stop = uint_hold(min(*turn + ENGINE_BATCH, LANE(path->last_turn, 0)));
+    lanes_mask ends;
+    do {
+        const Hit hit = end_meeting(world->scene, &path->ray, &path->inside, meeting COUNTED_ARGUMENT);
+        *face = hit_face(&hit);
+        ends = trace_segment(world, path, &hit, alive, *turn COUNTED_ARGUMENT);
+        *turn = uint_hold(*turn + 1u);
+    } while (ENGINE_BATCH > 1 && *turn < stop && !lanes_any(ends));
+    return ends;
+}
+
+#endif
+
+/* What only arrivals touch lies in memory meanwhile: with fewer registers more warps search at once (scene/README.md). */
+typedef struct Parked {
+#if PATH_WAITS
+    Vec throughput, radiance, awaited;
+#else
+    char none;
+#endif
+} Parked;
+
+static inline void park(const Path* path, Parked* parked) {
+#if PATH_WAITS
+    parked->throughput = path->throughput;
+    parked->radiance = path->radiance;
+    parked->awaited = path->awaited;
+#else
+    (void)path, (void)parked;
+#endif
+}
+
+static inline void take_up(Path* path, const Parked* parked) {
+#if PATH_WAITS
+    path->throughput = parked->throughput;
+    path->radiance = parked->radiance;
+    path->awaited = parked->awaited;
+#else
+    (void)path, (void)parked;
+#endif
+}
+
 ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, SCENE_SPHERE_SPACE const SceneSphere* spheres,
                                 SCENE_SURFACE_SPACE const SceneSurface* surface_rows, __global const uint* camera_sides,
                                 __global const uint* run_starts, __global const SceneLamp* lamps,
@@ -45,22 +107,20 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, 
 
     uint turn = 0u;
     MeetingStack waiting;
-    Meeting meeting = begin_meeting(world.scene, &path.ray, &path.inside, &waiting COUNTED_ARGUMENT);
+    ShadowRay shadow = shadow_ray_of(&path);
+    Meeting meeting = begin_meeting(world.scene, &path.ray, &path.inside, &shadow, &waiting COUNTED_ARGUMENT);
+    Parked parked;
+    park(&path, &parked);
     while (lanes_any(alive)) {
 #ifdef SCENE_PAUSES
-        KEEP_IN_MEMORY(unit); /* only ends of paths touch it, and with fewer registers more warps search at once */
+        KEEP_IN_MEMORY(unit); /* as what is parked */
+        KEEP_IN_MEMORY(parked);
 #endif
         const uint here = meeting_here();
         if (go_on(world.scene, &meeting, &waiting COUNTED_ARGUMENT)) {
-            lanes_u face;
-            lanes_mask ends;
-            const uint stop = uint_hold(min(turn + ENGINE_BATCH, LANE(path.last_turn, 0)));
-            do {
-                const Hit hit = end_meeting(world.scene, &path.ray, &path.inside, &meeting COUNTED_ARGUMENT);
-                face = hit_face(&hit);
-                ends = trace_segment(&world, &path, &hit, alive, turn COUNTED_ARGUMENT);
-                turn = uint_hold(turn + 1u);
-            } while (ENGINE_BATCH > 1 && turn < stop && !lanes_any(ends));
+            take_up(&path, &parked);
+            lanes_u face = (lanes_u)(0u);
+            lanes_mask ends = arrive(&world, &path, &meeting, alive, &turn, &face COUNTED_ARGUMENT);
             const lanes_mask full = lanes_hold(turn >= path.last_turn);
             const lanes_mask ended = lanes_meet(lanes_hold(full | ends));
             COUNTED_LANES(alive & ended, ENGINE_PATH_WORK)
@@ -87,7 +147,9 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, 
                 spare.radiance = vec_select(spare.radiance, radiance, ended);
                 start_spares(&path, &spare, ended, turn, start, &launch);
             }
-            meeting = begin_meeting(world.scene, &path.ray, &path.inside, &waiting COUNTED_ARGUMENT);
+            shadow = shadow_ray_of(&path);
+            meeting = begin_meeting(world.scene, &path.ray, &path.inside, &shadow, &waiting COUNTED_ARGUMENT);
+            park(&path, &parked);
         }
         meet_again(here);
     }

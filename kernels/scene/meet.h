@@ -100,14 +100,19 @@ static inline uint target_at(const Ray* ray, uint face) { return ray->left == TR
 static inline uint triangle_of(uint target) { return (target & SCENE_TRIANGLE) != 0u ? target & ~SCENE_TRIANGLE : TREE_NOTHING; }
 static inline void start_at(Ray* ray, uint target) { ray->left = triangle_of(target); }
 
-static inline bool sees(Scene scene, const Ray* ray, const Sides* inside, float distance, uint target COUNTED_PARAMETER) {
+/* Whether nothing but a triangle can be between. */
+static inline bool may_see(Scene scene, const Ray* ray, const Sides* inside, float distance, uint target) {
     const uint end = triangle_of(target);
     const bool itself = end == ray->left && end != TREE_NOTHING;
-    if (itself || !sees_past_spheres(scene, ray, inside, distance, target)) return false;
+    return !itself && sees_past_spheres(scene, ray, inside, distance, target);
+}
+
+static inline bool sees(Scene scene, const Ray* ray, const Sides* inside, float distance, uint target COUNTED_PARAMETER) {
+    if (!may_see(scene, ray, inside, distance, target)) return false;
     Search search;
     SearchStack stack;
     COUNTED_SEARCH
-    search_begin(scene.tree, &search, &stack, ray->origin, ray->direction, distance, ray->left, end COUNTED_ARGUMENT);
+    search_begin(scene.tree, &search, &stack, ray->origin, ray->direction, distance, ray->left, triangle_of(target) COUNTED_ARGUMENT);
     search_all(scene.tree, &search, &stack, true COUNTED_ARGUMENT);
     return search.found.place == TREE_NOTHING;
 }
@@ -158,22 +163,45 @@ static inline void pass_through(Scene scene, Ray* ray, Sides* inside, const Hit*
    search: scene/search.h. Else it is all done at the end. */
 #ifdef SCENE_PAUSES
 
+/* A ray that only asks whether it reaches its target; from where its path's next ray starts, and before that one. */
+typedef struct ShadowRay {
+    bool asked;
+    Vec direction;
+    float distance;
+    uint target;
+} ShadowRay;
+
 typedef struct Meeting {
     Hit sphere;
     Search search;
+    bool of_shadow_ray;
 } Meeting;
 
 typedef SearchStack MeetingStack;
 
-static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* inside, MeetingStack* stack COUNTED_PARAMETER) {
+/* Of the shadow ray, if it is asked. */
+static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* inside, const ShadowRay* shadow,
+                                    MeetingStack* stack COUNTED_PARAMETER) {
     Meeting meeting;
-    begin_search(scene, ray, inside, &meeting.sphere, &meeting.search, stack COUNTED_ARGUMENT);
+    meeting.of_shadow_ray = shadow->asked;
+    if (!shadow->asked) meeting.sphere = nearest_sphere(scene, ray, inside);
+    const Vec direction = shadow->asked ? shadow->direction : ray->direction;
+    const float distance = shadow->asked ? shadow->distance : hit_distance(&meeting.sphere);
+    const uint target = shadow->asked ? triangle_of(shadow->target) : TREE_NOTHING;
+    search_begin(scene.tree, &meeting.search, stack, ray->origin, direction, distance, ray->left, target COUNTED_ARGUMENT);
     return meeting;
 }
 
 /* Whether it is at its end. */
 static inline bool go_on(Scene scene, Meeting* meeting, MeetingStack* stack COUNTED_PARAMETER) {
-    return search_some(scene.tree, &meeting->search, stack COUNTED_ARGUMENT);
+    return search_some(scene.tree, &meeting->search, stack, meeting->of_shadow_ray COUNTED_ARGUMENT);
+}
+
+/* Whether a shadow ray reached its target. */
+static inline bool has_seen(const Meeting* meeting COUNTED_PARAMETER) {
+    COUNTED_UNUSED
+    COUNTED_SEARCH
+    return meeting->search.found.place == TREE_NOTHING;
 }
 
 /* Lanes that go on, and those that begin their next ray, meet again at the end of a turn: where no loop was between, NVIDIA's
@@ -194,13 +222,15 @@ typedef struct Meeting {
     char none;
 } Meeting;
 
+typedef Meeting ShadowRay;
 typedef Meeting MeetingStack;
 
 static inline uint meeting_here(void) { return 0u; }
 static inline void meet_again(uint here) { (void)here; }
 
-static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* inside, MeetingStack* stack COUNTED_PARAMETER) {
-    (void)scene, (void)ray, (void)inside, (void)stack;
+static inline Meeting begin_meeting(Scene scene, const Ray* ray, const Sides* inside, const ShadowRay* shadow,
+                                    MeetingStack* stack COUNTED_PARAMETER) {
+    (void)scene, (void)ray, (void)inside, (void)shadow, (void)stack;
     COUNTED_UNUSED
     const Meeting meeting = {0};
     return meeting;

@@ -73,19 +73,20 @@ static inline bool search_pauses(bool over) {
 #endif
 }
 
-/* Goes on; returns whether the search is over. What it finds does not depend on when it was left. */
-static inline bool search_some(Tree tree, Search* s, SearchStack* stack COUNTED_PARAMETER) {
+/* Goes on; returns whether the search is over. What it finds does not depend on when it was left. `any`: up to the first
+   triangle. */
+static inline bool search_some(Tree tree, Search* s, SearchStack* stack, bool any COUNTED_PARAMETER) {
     do {
         while (search_is_at_node(s)) {
             search_node(tree, s, stack COUNTED_ARGUMENT);
             if (search_leaves_nodes()) break;
         }
-        if (!search_is_at_node(s) && !search_is_over(s)) search_leaf(tree, s, stack, false COUNTED_ARGUMENT);
+        if (!search_is_at_node(s) && !search_is_over(s)) search_leaf(tree, s, stack, any COUNTED_ARGUMENT);
     } while (!search_pauses(search_is_over(s)));
     return search_is_over(s);
 }
 
-/* The whole of it; `any`: up to the first triangle. */
+/* The whole of it. */
 static inline void search_all(Tree tree, Search* s, SearchStack* stack, const bool any COUNTED_PARAMETER) {
     while (!search_is_over(s)) {
         while (search_is_at_node(s)) search_node(tree, s, stack COUNTED_ARGUMENT);

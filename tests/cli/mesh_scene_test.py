@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from ptbench import ONE, SOURCE, CliTest, changed
+from ptbench import ONE, SOURCE, CliTest, changed, ended
 from validate_schema import schema_errors
 
 TRIANGLE = "v 0 0 0\nv 4 0 0\nv 0 3 0\nf 1 2 3\n"
@@ -63,6 +63,18 @@ class MeshScenes(CliTest):
             self.assertGreater(each[0]["build_ms"], 0)
         self.assertIn("trees of triangles", ran.stdout)
         self.assertEqual(schema_errors(SOURCE / "configs/schema/result.schema.json", self.scratch.work / "run/result.json"), "")
+
+    def test_lanes_that_wait_for_each_other_trace_the_same_paths(self):
+        for kernel in ("pt", "direct", "pt_nee", "pt_lt"):
+            text = (SOURCE / f"kernels/{kernel}/{kernel}.cl").read_text()
+            self.scratch.write(f"kernels/{kernel}/{kernel}.cl", "#define SCENE_PAUSES\n" + text)  # as on GPUs
+            words = (*changed(ONE, kernel=kernel, path_length=5, spp=16), "--scene", "cornell", "-a", "roulette=albedo",
+                     "-a", "bvh=bvh2q")
+            whole, waiting = self.only_case(*words), self.only_case(*words, "--kernel-dir", "kernels")
+            with self.subTest(kernel):
+                self.assertEqual((ended(whole), ended(waiting)), ("ok", "ok"), waiting["reason"])
+                for count in ("segments", "full_length_paths", "shadow_rays", "light_segments"):
+                    self.assertEqual(waiting["work"][count], whole["work"][count], count)
 
     def test_an_edited_mesh_is_another_scene(self):
         hashes = []

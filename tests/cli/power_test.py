@@ -11,9 +11,10 @@ VALIDATE = (*changed(TINY, path_length=128), "--scene", "thesis", "-d", "pocl:0"
 WRONG = (
     ("albedo x 0.98", "pt/pt.cl", "vec_mul(path->throughput, surface.weight)",
      "vec_mul(path->throughput, vec_scale(surface.weight, (lanes_f)(0.98f)))", "standard errors"),
-    ("1 % of paths cut", "engine/trace.h", "            turn = uint_hold(turn + 1u);\n",
-     "            turn = uint_hold(turn + 1u);\n            ends |= (((unit.pixel_hash + unit.sample * 9973u) % 100u == 0u) & (turn + launch.path_length -"
-     " path.last_turn > (unit.pixel_hash * 7919u + unit.sample * 104729u) % launch.path_length));", "segments a sample"),
+    ("1 % of paths cut", "engine/trace.h", "            const lanes_mask full = lanes_hold(",
+     "            ends |= (((unit.pixel_hash + unit.sample * 9973u) % 100u == 0u) & (turn + launch.path_length -"
+     " path.last_turn > (unit.pixel_hash * 7919u + unit.sample * 104729u) % launch.path_length));\n"
+     "            const lanes_mask full = lanes_hold(", "segments a sample"),
     ("pixel grid shifted by one", "engine/unit.h", "(pixel - row * launch->width)",
      "(pixel - row * launch->width + 1u)", "block at column"),
     ("red and blue swapped", "engine/unit.h", "LANE(unit->sum.x, lane), LANE(unit->sum.y, lane), LANE(unit->sum.z, lane)",

@@ -52,7 +52,9 @@ def seen(said, on_grid):
         if name == "call refill()":
             take_off(total, CAMERA_RAY, int(times) - PIXELS * SPP)
     calls = {name: int(times) for times, name, _ in lines if name.startswith("call ")}
-    idle = calls.get("call begin_search()", 0) - calls.get("call end_search()", 0)
+    begun, ended = (sum(calls.get(f"call {name}()", 0) for name in names)
+                    for names in (("begin_search", "begin_meeting"), ("end_search", "has_seen")))
+    idle = begun - ended
     take_off(total, IDLE_SEARCH, idle)
     if on_grid:
         take_off(total, IDLE_ON_GRID, idle)

@@ -127,6 +127,7 @@ void answer_run(const Request& request) {
     if (request.params.scene == "mutter") response.record->build.emplace();
     response.record->statistics.emplace();
     response.record->statistics->n = ::getpid();  // lets a test see which process answered
+    response.record->statistics->median_ns = 1e5;
     response.record->statistics->max_ns = request.time_left_s.value_or(-1);
     response.record->work.emplace();
     response.record->work->segments = 1;

@@ -218,6 +218,27 @@ TEST(coordinator, a_case_that_does_not_fit_into_the_budget_is_skipped_with_its_p
         << "the worker was not told what is left for it: a sample of the last case must still fit";
 }
 
+TEST(coordinator, estimates_take_a_quarter_of_the_budget_at_most) {
+    RunPlan plan = plan_of({make_case("good", 1), make_case("mutter", 1), make_case("slow", 1)});
+    plan.max_total_time_s = 40;
+    double now_s = -6;
+    Coordinator coordinator(plan, fake_channels(), never(), [&] { return now_s += 6; });
+    const Forecast forecast = coordinator.estimate_within_budget();
+    EXPECT_TRUE(forecast.knows(make_case("good")));
+    EXPECT_FALSE(forecast.knows(make_case("mutter"))) << "12 of 40 s are gone";
+    EXPECT_FALSE(forecast.knows(make_case("slow")));
+}
+
+TEST(coordinator, what_is_not_forecast_is_learned_from_what_is_measured) {
+    const Case large = make_case("good", 1'000'000'000);
+    RunPlan plan = plan_of({make_case("good", 1), large});
+    plan.max_total_time_s = 10;
+    Coordinator coordinator(plan, fake_channels(), never(), [] { return 0.0; });
+    const auto records = coordinator.run(Forecast(plan.measure), {});
+    EXPECT_EQ(statuses(records), (std::vector{Status::ok, Status::skipped}));
+    EXPECT_THAT(records[1].reason, testing::StartsWith("predicted "));
+}
+
 TEST(coordinator, a_used_up_budget_skips_what_has_no_forecast_too) {
     RunPlan plan = plan_of({make_case("good")});
     plan.max_total_time_s = 10;
