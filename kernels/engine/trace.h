@@ -32,7 +32,10 @@ static inline Traced traced_by(const Path* path, uint turn) {
 static inline bool arrive(const World* world, Path* path, const Meeting* meeting, bool alive, uint* turn, uint* face COUNTED_PARAMETER) {
     if (meeting->of_shadow_ray) {
         path->shadow.asked = false;
-        if (has_seen(meeting COUNTED_ARGUMENT)) path->radiance = vec_add_scaled(path->radiance, path->awaited, 1.0f);
+        if (has_seen(meeting COUNTED_ARGUMENT)) {
+            COUNTED(alive ? 1u : 0u, LIGHT_ARRIVES_WORK)
+            path->radiance = vec_add(path->radiance, path->awaited);
+        }
     } else {
         const Hit hit = end_meeting(world->scene, &path->ray, &path->inside, meeting COUNTED_ARGUMENT);
         *face = hit_face(&hit);

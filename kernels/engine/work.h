@@ -56,7 +56,13 @@
 #define LIGHT_TRIANGLE_WORK (7u + 1u), 0u, 0u, 0u
 #define LIGHT_COSINE_WORK 8u, 0u, 0u, 0u
 #define LIGHT_WEIGHT_WORK 7u, 0u, 1u, 0u
+/* Light that is sent, and is awaited first where paths wait. */
+#if PATH_WAITS
+#define LIGHT_SENT_WORK 3u, 0u, 0u, 0u
+#define LIGHT_ARRIVES_WORK 3u, 0u, 0u, 0u
+#else
 #define LIGHT_SENT_WORK 6u, 0u, 0u, 0u
+#endif
 /* Roulette: the chance, and the throughput and comparison. */
 #ifdef ENGINE_ROULETTE
 #define ENGINE_ROULETTE_WORK 7u, 0u, 1u, 0u

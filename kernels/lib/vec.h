@@ -16,6 +16,7 @@ static inline Vec vec(lanes_f x, lanes_f y, lanes_f z) {
     return v;
 }
 static inline Vec vec_of(float4 v) { return vec((lanes_f)(v.x), (lanes_f)(v.y), (lanes_f)(v.z)); }
+static inline Vec vec_add(Vec a, Vec b) { return vec(a.x + b.x, a.y + b.y, a.z + b.z); }
 static inline Vec vec_sub(Vec a, Vec b) { return vec(a.x - b.x, a.y - b.y, a.z - b.z); }
 static inline Vec vec_scale(Vec a, lanes_f s) { return vec(a.x * s, a.y * s, a.z * s); }
 static inline Vec vec_mul(Vec a, Vec b) { return vec(a.x * b.x, a.y * b.y, a.z * b.z); }

@@ -54,7 +54,7 @@ def seen(said, on_grid):
     calls = {name: int(times) for times, name, _ in lines if name.startswith("call ")}
     begun, ended = (sum(calls.get(f"call {name}()", 0) for name in names)
                     for names in (("begin_search", "begin_meeting"), ("end_search", "has_seen")))
-    idle = begun - ended
+    idle = begun - ended if "call search_begin()" in calls else 0
     take_off(total, IDLE_SEARCH, idle)
     if on_grid:
         take_off(total, IDLE_ON_GRID, idle)
