@@ -226,8 +226,9 @@ std::vector<Ranking> rankings(const std::vector<const ResultFile*>& runs, const 
         append(all, ranking);
     }
     for (const KernelWork& c : works)
-        append(all, {title_of(c) + ", efficiency", "1/(relMSE s) of a megapixel", text_of(c.work), "",
-                     standings_of(c.entries, efficiency_of_megapixel)});
+        if (c.work == works.front().work && truth_of(c.kernel) == truth_of(works.front().kernel))
+            append(all, {title_of(c) + ", efficiency", "1/(relMSE s) of a megapixel", text_of(c.work), "",
+                         standings_of(c.entries, efficiency_of_megapixel)});
     for (const KernelWork& c : works)
         append(all, {title_of(c) + ", per joule", "Msegments/J", text_of(c.work), "",
                      standings_of(c.entries, msegments_per_joule)});

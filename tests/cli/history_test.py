@@ -13,7 +13,7 @@ from browser import Browser
 from gate_recipe_test import Repository
 from ptbench import SOURCE, TINY, CliTest
 
-ARCHIVED = SOURCE / "results/archive/intel/xeon-avx512-pocl/speed/result.json"
+ARCHIVED = SOURCE / "results/archive/amd/epyc-avx512-pocl/speed/result.json"
 SCHEMA = SOURCE / "configs/schema/history.schema.json"
 SHOTS = pathlib.Path(os.environ["PTB_BINARY_DIR"]) / "page"
 DAYS, SLOWER_FROM = 24, 15

@@ -138,6 +138,18 @@ TEST(ranking, efficiencies_of_unlike_sizes_are_of_a_megapixel) {
     EXPECT_THAT(all[1].standings, ElementsAre(stands("device a", 2)));
 }
 
+TEST(ranking, efficiencies_are_of_kernels_that_make_the_same_picture) {
+    std::vector<Record> records;
+    for (const std::string kernel : {"pt", "pt_nee", "thesis"}) {
+        records.push_back(timed("a", kernel, 10, 500));
+        records.back().efficiency = Efficiency{Noise{0.1, 0, 200, 180, 220}, std::nullopt, "film", ""};
+    }
+    const ResultFile f = run(records);
+    std::vector<std::string> titles;
+    for (const Ranking& each : rankings({&f}, {})) titles.push_back(each.title);
+    EXPECT_THAT(titles, ElementsAre("pt", "thesis", "pt_nee", "pt, efficiency", "pt_nee, efficiency"));
+}
+
 TEST(ranking, energies_are_of_segments) {
     Record record = timed("a", "pt", 10, 500);
     record.energy = Energy{"NVML", "", 1, 2, 1e6, std::nullopt};

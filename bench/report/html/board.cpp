@@ -55,12 +55,12 @@ std::string board_table(const Ranking& ranking, const std::vector<std::string>& 
     std::string rows;
     for (std::size_t i = 0; i < ranking.standings.size(); ++i)
         rows += board_row(ranking.standings[i], i + 1, most, links);
+    const std::string said = ranking.note.empty() ? ranking.work : ranking.work + ". " + ranking.note;
     return fmt::format(
-        "<table class=\"board\"><caption>{}: {}; {}</caption><thead><tr><th scope=col class=n>#<th scope=col "
+        "<table class=\"board\"><caption>{}: {}</caption><thead><tr><th scope=col class=n>#<th scope=col "
         "class=who>device<th scope=col class=bar>more is better<th scope=col class=n>{}<th scope=col "
-        "class=how>measured</tr><tbody>\n{}</table>{}\n",
-        html_text(ranking.title), html_text(ranking.unit), html_text(ranking.work), html_text(ranking.unit),
-        rows, ranking.note.empty() ? "" : fmt::format("<p>{}</p>", html_text(ranking.note)));
+        "class=how>measured</tr><tbody>\n{}</table><p>{}</p>\n",
+        html_text(ranking.title), html_text(ranking.unit), html_text(ranking.unit), rows, html_text(said));
 }
 
 }  // namespace
