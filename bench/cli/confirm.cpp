@@ -74,7 +74,7 @@ class Confirming {
         const DeviceInfo device = device_now(*session.card, list_);
         RunPlan plan = empty_plan(config_, options_.run);
         plan.devices = {device};
-        plan.cases = expand(config_, plan.devices);
+        plan.cases = in_run_order(expand(config_, plan.devices), plan);
         std::erase_if(plan.cases, [](const Case& c) { return !of_several_devices(c).empty(); });
         Coordinator coordinator(plan, channels(options_, config_, stopped_), stopped_);
         ResultFile result = header(device);

@@ -50,25 +50,14 @@ fs::path folder_of(const RunFlags& flags, const std::string& config, const std::
 /// What makes a better picture: the pt kernel, an implicit work-group, more samples.
 auto rank(const Case& c) { return std::tuple(c.kernel == "pt", c.work_group.implicit(), c.spp); }
 
-/// The cases that write their device's picture if they can, in plan order: each as good as those before it.
-std::vector<Case> improving(const std::vector<Case>& cases) {
-    std::vector<Case> chosen;
-    std::map<std::string, const Case*> best;
-    for (const Case& c : cases) {
-        const Case*& so_far = best[c.device];
-        if (so_far != nullptr && rank(c) < rank(*so_far)) continue;
-        so_far = &c;
-        chosen.push_back(c);
-    }
-    return chosen;
-}
-
-/// A case, and the name of the picture that it writes.
+/// A case, and the name of the picture that it writes unless a later one of a list does.
 using Pictured = std::pair<Case, std::string>;
 
-std::vector<Pictured> pictures_of_devices(const std::vector<Case>& cases) {
+std::vector<Pictured> pictures_of_devices(std::vector<Case> cases) {
+    std::stable_sort(cases.begin(), cases.end(),
+                     [](const Case& a, const Case& b) { return rank(a) < rank(b); });
     std::vector<Pictured> pictures;
-    for (const Case& c : improving(cases)) pictures.emplace_back(c, file_safe(c.device) + ".png");
+    for (const Case& c : cases) pictures.emplace_back(c, file_safe(c.device) + ".png");
     return pictures;
 }
 
@@ -150,20 +139,21 @@ Outputs::~Outputs() {
     if (folder_.parent_path() == "ptbench-results") fs::remove(folder_.parent_path(), ignored);  // when empty
 }
 
-std::map<Case, std::string> Outputs::pictures(Pictures kind, const std::vector<Case>& cases,
-                                              const std::vector<Record>& done) {
+std::map<Case, ImageFile> Outputs::pictures(Pictures kind, const std::vector<Case>& cases,
+                                            const std::vector<Record>& done) {
     kind_ = kind;
-    std::map<Case, std::string> files;
+    std::map<Case, ImageFile> files;
     const std::set<Case> there = pictured(done);
     std::set<std::string> kept;
+    std::size_t rank = 0;
     for (const auto& [c, name] : pictures_of(kind, cases)) {
         const std::string file = (folder_ / name).string();
         pictures_.insert(file);
         if (there.contains(c)) {
             kept.insert(file);
-            std::erase_if(files, [&](const auto& lesser) { return lesser.second == file; });
+            std::erase_if(files, [&](const auto& lesser) { return lesser.second.path == file; });
         } else {
-            files[c] = file;
+            files[c] = {file, rank++};
         }
     }
     remove_pictures_but(kept);  // an older run's is none of this one's

@@ -10,6 +10,7 @@
 #include "bench/cli/options.h"
 #include "bench/record/record.h"
 #include "bench/report/published.h"
+#include "bench/worker/coordinator.h"
 #include "core/file/path_lock.h"
 
 namespace ptb {
@@ -26,12 +27,12 @@ class Outputs {
     Outputs(const Outputs&) = delete;
     Outputs& operator=(const Outputs&) = delete;
 
-    /// The pictures that cases are to write. Of each device the best one: cases in plan order write it, each
-    /// as good as those before it or better, so that a case that is skipped does not leave a device without
-    /// one. At equal time: every case's own, since times will tell which those are. `done` are the records of
-    /// a resumed run; the pictures of any other older run are removed.
-    std::map<Case, std::string> pictures(Pictures kind, const std::vector<Case>& cases,
-                                         const std::vector<Record>& done = {});
+    /// The pictures that cases are to write. Of each device one: the better a case, the higher its rank, so
+    /// that the best of those that are not skipped is there. At equal time: every case's own, since times
+    /// will tell which those are. `done` are the records of a resumed run; the pictures of any other older
+    /// run are removed.
+    std::map<Case, ImageFile> pictures(Pictures kind, const std::vector<Case>& cases,
+                                       const std::vector<Record>& done = {});
     /// Of the pictures that are wanted and there now, the cases that made them.
     std::vector<Picture> made(const std::vector<Record>& records) const;
     /// Removes those that were written in case they would be wanted.

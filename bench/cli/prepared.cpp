@@ -73,17 +73,20 @@ RunPlan empty_plan(const Config& config, const RunFlags& flags) {
     return plan;
 }
 
-void plan_missing(Prepared& prepared, const std::vector<Record>& records) {
-    RunPlan& plan = prepared.plan;
-    plan.cases = missing(prepared.planned, records);
-    if (plan.max_total_time_s <= 0) return;
+std::vector<Case> in_run_order(std::vector<Case> cases, const RunPlan& plan) {
+    if (plan.max_total_time_s <= 0) return cases;
     const auto rank = [&](const Case& c) {
         const auto same = [&](const DeviceInfo& device) { return device.key == c.device; };
         const auto device = std::find_if(plan.devices.begin(), plan.devices.end(), same);
-        return std::pair(device, c.spp);
+        return std::pair(device, c.size.pixels() * static_cast<std::size_t>(c.spp));
     };
-    std::stable_sort(plan.cases.begin(), plan.cases.end(),
+    std::stable_sort(cases.begin(), cases.end(),
                      [&](const Case& a, const Case& b) { return rank(a) < rank(b); });
+    return cases;
+}
+
+void plan_missing(Prepared& prepared, const std::vector<Record>& records) {
+    prepared.plan.cases = in_run_order(missing(prepared.planned, records), prepared.plan);
 }
 
 ResultFile start_result(const Prepared& prepared, const Options& options,

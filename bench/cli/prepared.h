@@ -28,8 +28,11 @@ std::vector<std::string> check_before_devices(const Config& config, const Common
 /// The plan of a config, but for devices and cases.
 RunPlan empty_plan(const Config& config, const RunFlags& flags);
 
-/// Puts into the plan what has no record: in the order planned; under a budget each device's cases of the
-/// fewest samples first, so that every kernel has a time before any has its longest.
+/// The order in which a plan runs: as planned; under a budget each device's cases of little work first, so
+/// that kernels have times of it before one of them does what takes longest.
+std::vector<Case> in_run_order(std::vector<Case> cases, const RunPlan& plan);
+
+/// Puts into the plan what has no record.
 void plan_missing(Prepared& prepared, const std::vector<Record>& records);
 
 /// A result without a record.

@@ -1,6 +1,7 @@
 #include "bench/report/ranking.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <tuple>
@@ -82,7 +83,7 @@ struct KernelWork {
     bool is_usual() const { return unusual(work, other_axes()) == 0; }
 };
 
-/// The greatest of a kernel's works is its ranking: the usual work, else that of the most devices.
+/// A kernel is ranked by the greatest of its works: the usual one, else that of the most devices.
 auto worth(const KernelWork& c) {
     std::set<std::string> devices;
     for (const Entry& e : c.entries) devices.insert(e.device);
@@ -122,7 +123,8 @@ std::vector<KernelWork> works_of(const std::vector<const ResultFile*>& runs) {
 /// "pt"; "pt, flake" of another scene than the usual.
 std::string title_of(const KernelWork& c) {
     const bool usual_scene = c.work.scene == default_case().scene;
-    return usual_scene ? c.kernel : fmt::format("{}, {}", c.kernel, c.work.scene);
+    return usual_scene ? c.kernel
+                       : fmt::format("{}, {}", c.kernel, std::filesystem::path(c.work.scene).stem().string());
 }
 
 /// "scene thesis, path length 128", and what else is unusual.
@@ -133,9 +135,10 @@ std::string text_of(Case work) {
     return named + unusual_text(work);
 }
 
-bool lists_rays(const std::string& kernel) {
+std::string rays_or_segments(const std::string& kernel) {
     const auto ids = integrator_ids();
-    return std::find(ids.begin(), ids.end(), kernel) != ids.end() && integrator(kernel).lists_rays;
+    const bool known = std::find(ids.begin(), ids.end(), kernel) != ids.end();
+    return known && integrator(kernel).lists_rays ? "Mrays" : "Msegments";
 }
 
 std::string detail_of(const Record& record) {
@@ -177,7 +180,7 @@ double segments_a_sample(const std::vector<Entry>& entries) {
 /// Each published device by its row of the most samples, where the published kernel did the same work.
 std::vector<Standing> published_standings(const PublishedTable& table, const std::vector<KernelWork>& works) {
     const auto own = std::find_if(works.begin(), works.end(), [&](const KernelWork& c) {
-        return c.kernel == table.kernel && c.work.scene == table.scene;
+        return c.kernel == table.kernel && c.work.scene == table.scene && c.is_usual();
     });
     if (own == works.end()) return {};
     const double segments = segments_a_sample(own->entries);
@@ -200,6 +203,19 @@ std::vector<Standing> published_standings(const PublishedTable& table, const std
     return standings;
 }
 
+/// Whether a kernel's efficiencies are comparable to those of the first one that has any: of those whose
+/// truth is `base_kernel`, if there are such, else of all.
+bool comparable_in_efficiency(const std::vector<KernelWork>& works, const KernelWork& c) {
+    const auto has_any = [](const KernelWork& w) {
+        return !standings_of(w.entries, efficiency_of_megapixel).empty();
+    };
+    auto first = std::find_if(works.begin(), works.end(), [&](const KernelWork& w) {
+        return truth_of(w.kernel) == base_kernel && has_any(w);
+    });
+    if (first == works.end()) first = std::find_if(works.begin(), works.end(), has_any);
+    return first != works.end() && c.work == first->work && truth_of(c.kernel) == truth_of(first->kernel);
+}
+
 void append(std::vector<Ranking>& all, Ranking ranking) {
     if (ranking.standings.empty()) return;
     std::stable_sort(ranking.standings.begin(), ranking.standings.end(),
@@ -214,10 +230,10 @@ std::vector<Ranking> rankings(const std::vector<const ResultFile*>& runs, const 
     const auto old = published_standings(published, works);
     std::vector<Ranking> all;
     for (const KernelWork& c : works) {
-        Ranking ranking{title_of(c), lists_rays(c.kernel) ? "Mrays/s" : "Msegments/s", text_of(c.work), "",
+        Ranking ranking{title_of(c), rays_or_segments(c.kernel) + "/s", text_of(c.work), "",
                         standings_of(c.entries, msegments_per_s)};
         const bool as_published = c.is_usual() && (c.kernel == base_kernel || c.kernel == published.kernel);
-        if (as_published && !old.empty()) {
+        if (as_published && !old.empty() && !ranking.standings.empty()) {
             ranking.standings.insert(ranking.standings.end(), old.begin(), old.end());
             ranking.note = fmt::format(
                 "{}: samples a second as published, times the segments that {} traces in a sample here",
@@ -226,11 +242,11 @@ std::vector<Ranking> rankings(const std::vector<const ResultFile*>& runs, const 
         append(all, ranking);
     }
     for (const KernelWork& c : works)
-        if (c.work == works.front().work && truth_of(c.kernel) == truth_of(works.front().kernel))
+        if (comparable_in_efficiency(works, c))
             append(all, {title_of(c) + ", efficiency", "1/(relMSE s) of a megapixel", text_of(c.work), "",
                          standings_of(c.entries, efficiency_of_megapixel)});
     for (const KernelWork& c : works)
-        append(all, {title_of(c) + ", per joule", "Msegments/J", text_of(c.work), "",
+        append(all, {title_of(c) + ", per joule", rays_or_segments(c.kernel) + "/J", text_of(c.work), "",
                      standings_of(c.entries, msegments_per_joule)});
     return all;
 }

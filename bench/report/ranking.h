@@ -25,10 +25,10 @@ struct Ranking {
 };
 
 /// What the runs' devices can be ranked by: the speed of each kernel, `pt` first, then the efficiency of
-/// those that make the first one's picture, then what energies there are. A kernel's work is the usual one;
-/// where it does not do that, the one that the most devices did. Kernels that met triangles have a ranking of
-/// these, too. Published devices stand where their samples a second put them: their segments are taken for
-/// those that the same kernel traces in these runs.
+/// those that make one picture, then what energies there are. A kernel's work is the usual one; where it does
+/// not do that, the one that the most devices did. Kernels that met triangles have a ranking of these, too.
+/// Published devices stand where their samples a second put them: their segments are taken for those that the
+/// same kernel traces in these runs.
 std::vector<Ranking> rankings(const std::vector<const ResultFile*>& runs, const PublishedTable& published);
 
 }  // namespace ptb

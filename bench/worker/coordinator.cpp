@@ -52,16 +52,16 @@ double repetitions_s(const RunPlan& plan) {
     return plan.max_total_time_s / 4 / static_cast<double>(plan.cases.size());
 }
 
-/// Of a budget, how much may go into estimates, each of which compiles a kernel: what is not known after that
-/// is learned from what is measured.
+/// Of a budget, how much may go into estimates before the first case: each of them compiles a kernel.
 constexpr double most_estimating = 0.25;
 
 /// Seconds that one sample of each case after the i-th takes: no case's repetitions may use them up. What
-/// does not fit into the budget anyway has no part in it.
+/// does not fit into the budget anyway has no part in it; what is not known yet has as much as for
+/// repetitions.
 std::vector<double> samples_to_come(const RunPlan& plan, const Forecast& forecast) {
     std::vector<double> reserved(plan.cases.size(), 0.0);
     for (std::size_t i = plan.cases.size(); i-- > 1;) {
-        const double sum_s = reserved[i] + forecast.sample_s(plan.cases[i]).value_or(0);
+        const double sum_s = reserved[i] + forecast.sample_s(plan.cases[i]).value_or(repetitions_s(plan));
         reserved[i - 1] = sum_s <= plan.max_total_time_s ? sum_s : reserved[i];
     }
     return reserved;
@@ -173,20 +173,22 @@ Forecast Coordinator::estimate_within_budget() {
 
 Forecast Coordinator::estimated(const Stopped& enough) {
     Forecast forecast(plan_.measure);
-    std::map<CostKey, bool> asked;
-    for (const Case& c : plan_.cases) {
-        if (stopped_() || enough() || !asked.try_emplace(cost_key(c), true).second) continue;
-        DeviceWorker& worker = worker_of(c.device);
-        if (!worker.ready()) continue;
-        Request request;
-        request.kind = Request::Kind::estimate;
-        request.params = c;
-        const Reply reply = worker.request(request, [](const Response&) {});
-        const bool known =
-            reply.end == Reply::End::answered && reply.response.kind == Response::Kind::estimate;
-        if (known) forecast.learn(c, reply.response.ns_per_sample);
-    }
+    for (const Case& c : plan_.cases)
+        if (!stopped_() && !enough()) estimate(c, forecast);
     return forecast;
+}
+
+/// Asks once what such a case costs.
+void Coordinator::estimate(const Case& c, Forecast& forecast) {
+    if (forecast.knows(c) || !asked_.insert(cost_key(c)).second) return;
+    DeviceWorker& worker = worker_of(c.device);
+    if (!worker.ready()) return;
+    Request request;
+    request.kind = Request::Kind::estimate;
+    request.params = c;
+    const Reply reply = worker.request(request, [](const Response&) {});
+    const bool known = reply.end == Reply::End::answered && reply.response.kind == Response::Kind::estimate;
+    if (known) forecast.learn(c, reply.response.ns_per_sample);
 }
 
 std::vector<DevicePeaks> Coordinator::peaks() {
@@ -201,13 +203,13 @@ std::vector<Record> Coordinator::run(Forecast forecast, const std::vector<RunObs
     reserved_s_ = samples_to_come(plan_, forecast);
     for (std::size_t i = 0; i < plan_.cases.size(); ++i) {
         const Case& c = plan_.cases[i];
+        if (const auto left_s = budget_left_s(); left_s && *left_s > 0 && !stopped_()) estimate(c, forecast);
         for (RunObserver* observer : observers) observer->started(i, c);
         records.push_back(run_case(i, forecast, [&](const Response& progress) {
             for (RunObserver* observer : observers) observer->progressed(i, c, progress);
         }));
         for (RunObserver* observer : observers) observer->finished(i, records.back());
-        if (!forecast.knows(c) && forecast.learn(records.back()))
-            reserved_s_ = samples_to_come(plan_, forecast);
+        if (forecast.learn(records.back())) reserved_s_ = samples_to_come(plan_, forecast);
     }
     close_live();
     for (const auto& [device, worker] : workers_)
@@ -292,7 +294,7 @@ void Coordinator::run_beside_others(std::size_t index, const Channel::Progress& 
         if (all.back().record.status != Status::ok || plan_.measure.skip_time) continue;
         Request request = run_request(index);
         request.params = each;
-        request.picture = plan_.image_files.contains(each);
+        request.picture = wants_picture(each);
         request.beside_others = true;
         requests.push_back(request);
     }
@@ -331,14 +333,22 @@ void Coordinator::close_live() {
     live_ = nullptr;
 }
 
+bool Coordinator::wants_picture(const Case& c) const {
+    const auto file = plan_.image_files.find(c);
+    if (file == plan_.image_files.end()) return false;
+    const auto written = written_.find(file->second.path);
+    return written == written_.end() || file->second.rank >= written->second;
+}
+
 /// A picture that cannot be kept costs no time.
 void Coordinator::keep_picture(const Case& c, const Measured& measured) {
-    const auto file = plan_.image_files.find(c);
     const bool timed = measured.record.work && measured.record.work->segments > 0;
-    if (file == plan_.image_files.end() || !timed) return;
+    if (!timed || !wants_picture(c)) return;
+    const ImageFile& file = plan_.image_files.at(c);
     try {
         if (!measured.picture) throw std::runtime_error("it did not arrive whole");
-        write_image(file->second, *measured.picture);
+        write_image(file.path, *measured.picture);
+        written_[file.path] = file.rank;
     } catch (const std::exception& error) {
         remarks_.push_back(fmt::format("no picture of {}: {}", c.device, error.what()));
     }
@@ -382,7 +392,7 @@ Request Coordinator::run_request(std::size_t index) const {
     request.params = c;
     if (const auto left_s = budget_left_s())
         request.time_left_s = std::min(*left_s, std::max(repetitions_s(plan_), *left_s - reserved_s_[index]));
-    request.picture = plan_.image_files.contains(c);
+    request.picture = wants_picture(c);
     return request;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,13 +19,19 @@ class RunObserver {
     virtual void finished(std::size_t /*index*/, const Record&) {}
 };
 
+/// A picture that a case writes, unless one of a higher rank has done so.
+struct ImageFile {
+    std::string path;
+    std::size_t rank = 0;
+};
+
 /// What to run: device-major cases, and the picture to write for some of them.
 struct RunPlan {
     MeasureOptions measure;
     double max_total_time_s = 0;  ///< 0: no budget
     std::vector<DeviceInfo> devices;
     std::vector<Case> cases;
-    std::map<Case, std::string> image_files;
+    std::map<Case, ImageFile> image_files;
 };
 
 /// A record, and the picture that came with it.
@@ -65,7 +72,8 @@ class Coordinator {
     /// Asks each device what it can do at most.
     std::vector<DevicePeaks> peaks();
 
-    /// Runs the plan in its order; `observers` hear of each case. What is not forecast is learned on the way.
+    /// Runs the plan in its order; `observers` hear of each case. Under a budget what is not forecast is
+    /// asked before its first case, and what is measured makes forecasts better.
     std::vector<Record> run(Forecast forecast, const std::vector<RunObserver*>& observers);
 
     /// Pictures that were not written, and workers that were given up: "no picture of pocl:0: disk full".
@@ -77,9 +85,11 @@ class Coordinator {
   private:
     DeviceWorker& worker_of(const std::string& device);
     Forecast estimated(const Stopped& enough);
+    void estimate(const Case& c, Forecast& forecast);
     std::optional<double> budget_left_s() const;
     std::string not_to_try(const Case& c, const Forecast& forecast) const;
     Request run_request(std::size_t index) const;
+    bool wants_picture(const Case& c) const;
     void keep_picture(const Case& c, const Measured& measured);
     Record run_case(std::size_t index, const Forecast& forecast, const Channel::Progress& progress);
     Measured measured(std::size_t index, const Channel::Progress& progress);
@@ -95,10 +105,12 @@ class Coordinator {
     SecondsNow now_s_;
     double start_s_;
     std::vector<double> reserved_s_;  ///< for each case, what one sample of each later one takes
+    std::set<CostKey> asked_;         ///< for an estimate
     std::map<std::string, DeviceWorker> workers_;
     DeviceWorker* live_ = nullptr;
     MeasureShared shared_;
-    std::map<Case, Measured> beside_others_;  ///< measured together with a case before
+    std::map<Case, Measured> beside_others_;      ///< measured together with a case before
+    std::map<std::string, std::size_t> written_;  ///< ranks of the pictures, by their paths
     std::vector<std::string> remarks_;
 };
 

@@ -12,8 +12,9 @@ namespace ptb {
 CostKey cost_key(const Case& c) { return {c.device, c.kernel, c.scene, c.path_length, c.lanes, c.variant}; }
 
 bool Forecast::learn(const Record& measured) {
-    if (!measured.statistics) return false;
     const Case& c = measured.params;
+    const bool usual = c.work_group.implicit() && c.devices == 1 && c.together == Together::no;
+    if (!measured.statistics || !usual) return false;
     learn(c, measured.statistics->median_ns / (static_cast<double>(c.size.pixels()) * c.spp));
     return true;
 }

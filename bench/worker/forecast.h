@@ -20,7 +20,7 @@ class Forecast {
     explicit Forecast(const MeasureOptions& measure) : measure_(measure) {}
 
     void learn(const Case& c, double ns_per_sample) { ns_per_sample_[cost_key(c)] = ns_per_sample; }
-    /// Of a case that was measured. False where it has no time.
+    /// Of a case that was measured as most are. False where it has no time.
     bool learn(const Record& measured);
     bool knows(const Case& c) const { return ns_per_sample_.contains(cost_key(c)); }
 

@@ -72,8 +72,8 @@ std::string memory_refusal(const Integrator& row, const ocl::Device& device, con
     return "";
 }
 
-/// CPUs have registers of eight floats. GPUs count the loads of lanes that wait for each other, and
-/// instructions where a ray is searched for to its end.
+/// CPUs have registers of eight floats. On GPUs bvh2q where lanes wait for each other, since loads count
+/// then; bvh2 where each ray is searched for to its end, since instructions do.
 TreeLayout layout_of(const Integrator& row, const ocl::Device& device, const Variant& variant) {
     switch (variant.bvh) {
         case Bvh::bvh2:

@@ -26,14 +26,15 @@ static inline Traced traced_by(const Path* path, uint turn) {
     return traced;
 }
 
-/* Goes on from where rays have come to: to their hits, and after them. Returns the lanes whose path ends at this face. */
+/* What follows a search that is over: the segment to the hit, or the light that was awaited. Returns the lanes whose path ends,
+   at this face. */
 #if PATH_WAITS
 
 static inline bool arrive(const World* world, Path* path, const Meeting* meeting, bool alive, uint* turn, uint* face COUNTED_PARAMETER) {
     if (meeting->of_shadow_ray) {
         path->shadow.asked = false;
         if (has_seen(meeting COUNTED_ARGUMENT)) {
-            COUNTED(alive ? 1u : 0u, LIGHT_ARRIVES_WORK)
+            COUNTED_LANES(alive, LIGHT_ARRIVES_WORK)
             path->radiance = vec_add(path->radiance, path->awaited);
         }
     } else {
@@ -117,7 +118,9 @@ ENGINE_OUTLINE void trace_units(__global Tally* tallies, __global uint* queues, 
     while (lanes_any(alive)) {
 #ifdef SCENE_PAUSES
         KEEP_IN_MEMORY(unit); /* as what is parked */
+#if PATH_WAITS
         KEEP_IN_MEMORY(parked);
+#endif
 #endif
         const uint here = meeting_here();
         if (go_on(world.scene, &meeting, &waiting COUNTED_ARGUMENT)) {

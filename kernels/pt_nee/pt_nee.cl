@@ -1,4 +1,5 @@
 /* `pt_nee`: `pt` with next-event estimation. */
+#define PATH_ASKS
 #include "pt_nee/segment.h"
 
 static inline lanes_mask trace_segment(const World* world, Path* path, const Hit* hit, lanes_mask alive,

@@ -2,7 +2,6 @@
 #ifndef PTB_PT_NEE_SEGMENT_H
 #define PTB_PT_NEE_SEGMENT_H
 
-#define PATH_ASKS
 #include "engine/light.h"
 #include "engine/work.h"
 #include "scene/scatter.h"

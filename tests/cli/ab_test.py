@@ -12,7 +12,7 @@ SCHEMA = SOURCE / "configs/schema/ab.schema.json"
 # A case of some milliseconds; its validation takes less than a second a side.
 TINY = ("ab", "-d", "pocl:1", "--kernel", "pt", "--size", "32", "--spp", "4", "--path-length", "2", "--wg", "implicit",
         "--timeout", "60")
-SEGMENT = "            turn = uint_hold(turn + 1u);\n"
+SEGMENT = "            lanes_mask ends = arrive(&world, &path, &meeting, alive, &turn, &face COUNTED_ARGUMENT);\n"
 # Every segment takes several times as long; the image is the same.
 SLOW = SEGMENT + """            lanes_f wasted = path.ray.direction.x;
             for (int i = 0; i < 3000; ++i) wasted = wasted * 0.999f + 0.5f;

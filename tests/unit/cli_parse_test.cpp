@@ -275,15 +275,18 @@ Case picture_case(const std::string& kernel, int spp, WorkGroup work_group = {})
     return c;
 }
 
-TEST_F(outputs, each_better_case_of_a_device_makes_its_picture) {
+TEST_F(outputs, the_best_case_of_a_device_makes_its_picture_whatever_the_order) {
     Outputs written(RunFlags(), "quick", noon);
     const std::vector<Case> cases{picture_case("thesis", 100), picture_case("pt", 10),
                                   picture_case("pt", 100), picture_case("pt", 1000, {64, 0}),
                                   picture_case("thesis", 1000)};
     const auto pictures = written.pictures(Pictures::best, cases);
-    EXPECT_EQ(pictures.size(), 3U);
-    EXPECT_TRUE(pictures.contains(cases[0]) && pictures.contains(cases[1]) && pictures.contains(cases[2]));
-    EXPECT_EQ(std::filesystem::path(pictures.at(cases[2])).filename(), "pocl-2-0.png");
+    EXPECT_EQ(pictures.size(), cases.size());
+    const auto better = [&](std::size_t a, std::size_t b) {
+        return pictures.at(cases[a]).rank > pictures.at(cases[b]).rank;
+    };
+    EXPECT_TRUE(better(2, 1) && better(1, 3) && better(3, 4) && better(4, 0));
+    EXPECT_EQ(std::filesystem::path(pictures.at(cases[2]).path).filename(), "pocl-2-0.png");
 }
 
 Record pictured_case(const std::string& kernel, int spp, double ms) {
@@ -305,13 +308,13 @@ TEST_F(outputs, at_equal_time_each_kernel_keeps_one_picture) {
     for (const Record& record : records) cases.push_back(record.params);
     const auto files = written.pictures(Pictures::equal_time, cases);
     EXPECT_EQ(files.size(), 3U) << "a work-group of its own has none";
-    for (const auto& [c, file] : files) std::ofstream(file) << "picture";
+    for (const auto& [c, file] : files) std::ofstream(file.path) << "picture";
     const auto pictures = written.made(records);
     written.keep(pictures);
     EXPECT_EQ(pictures.size(), 2U);
-    EXPECT_TRUE(std::filesystem::exists(files.at(records[0].params)));
-    EXPECT_TRUE(std::filesystem::exists(files.at(records[1].params)));
-    EXPECT_FALSE(std::filesystem::exists(files.at(records[2].params))) << "220 ms are not 100 ms";
+    EXPECT_TRUE(std::filesystem::exists(files.at(records[0].params).path));
+    EXPECT_TRUE(std::filesystem::exists(files.at(records[1].params).path));
+    EXPECT_FALSE(std::filesystem::exists(files.at(records[2].params).path)) << "220 ms are not 100 ms";
 }
 
 TEST(hints, name_a_device_that_was_left_out) {

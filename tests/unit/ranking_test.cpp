@@ -140,14 +140,21 @@ TEST(ranking, efficiencies_of_unlike_sizes_are_of_a_megapixel) {
 
 TEST(ranking, efficiencies_are_of_kernels_that_make_the_same_picture) {
     std::vector<Record> records;
-    for (const std::string kernel : {"pt", "pt_nee", "thesis"}) {
+    for (const std::string kernel : {"thesis", "whitted", "pt_nee", "pt_lt"}) {
         records.push_back(timed("a", kernel, 10, 500));
-        records.back().efficiency = Efficiency{Noise{0.1, 0, 200, 180, 220}, std::nullopt, "film", ""};
+        if (kernel != "thesis")
+            records.back().efficiency = Efficiency{Noise{0.1, 0, 200, 180, 220}, std::nullopt, "film", ""};
     }
-    const ResultFile f = run(records);
-    std::vector<std::string> titles;
-    for (const Ranking& each : rankings({&f}, {})) titles.push_back(each.title);
-    EXPECT_THAT(titles, ElementsAre("pt", "thesis", "pt_nee", "pt, efficiency", "pt_nee, efficiency"));
+    const auto titles_of = [](const std::vector<Record>& of) {
+        const ResultFile f = run(of);
+        std::vector<std::string> titles;
+        for (const Ranking& each : rankings({&f}, {})) titles.push_back(each.title);
+        return titles;
+    };
+    EXPECT_THAT(titles_of(records), ElementsAre("thesis", "whitted", "pt_nee", "pt_lt", "pt_nee, efficiency",
+                                                "pt_lt, efficiency"));
+    records.resize(2);
+    EXPECT_THAT(titles_of(records), ElementsAre("thesis", "whitted", "whitted, efficiency"));
 }
 
 TEST(ranking, energies_are_of_segments) {
