@@ -84,10 +84,10 @@ struct KernelWork {
 };
 
 /// A kernel is ranked by the greatest of its works: the usual one, else that of the most devices.
-auto worth(const KernelWork& c) {
+auto worth(const KernelWork& w) {
     std::set<std::string> devices;
-    for (const Entry& e : c.entries) devices.insert(e.device);
-    return std::tuple(c.is_usual(), devices.size(), -unusual(c.work, other_axes()), c.entries.size());
+    for (const Entry& e : w.entries) devices.insert(e.device);
+    return std::tuple(w.is_usual(), devices.size(), -unusual(w.work, other_axes()), w.entries.size());
 }
 
 std::vector<KernelWork> all_works(const std::vector<const ResultFile*>& runs) {
@@ -109,11 +109,11 @@ std::vector<KernelWork> all_works(const std::vector<const ResultFile*>& runs) {
 std::vector<KernelWork> works_of(const std::vector<const ResultFile*>& runs) {
     std::map<std::tuple<std::size_t, std::string, bool>, KernelWork> best;
     const auto kernels = kernels_in_order();
-    for (KernelWork& c : all_works(runs)) {
-        const auto place = std::find(kernels.begin(), kernels.end(), c.kernel) - kernels.begin();
-        const bool triangles = c.entries.front().record.tree.has_value();
-        KernelWork& most = best[{static_cast<std::size_t>(place), c.kernel, triangles}];
-        if (most.entries.empty() || worth(most) < worth(c)) most = std::move(c);
+    for (KernelWork& w : all_works(runs)) {
+        const auto place = std::find(kernels.begin(), kernels.end(), w.kernel) - kernels.begin();
+        const bool triangles = w.entries.front().record.tree.has_value();
+        KernelWork& most = best[{static_cast<std::size_t>(place), w.kernel, triangles}];
+        if (most.entries.empty() || worth(most) < worth(w)) most = std::move(w);
     }
     std::vector<KernelWork> works;
     for (auto& each : best) works.push_back(std::move(each.second));
@@ -121,10 +121,10 @@ std::vector<KernelWork> works_of(const std::vector<const ResultFile*>& runs) {
 }
 
 /// "pt"; "pt, flake" of another scene than the usual.
-std::string title_of(const KernelWork& c) {
-    const bool usual_scene = c.work.scene == default_case().scene;
-    return usual_scene ? c.kernel
-                       : fmt::format("{}, {}", c.kernel, std::filesystem::path(c.work.scene).stem().string());
+std::string title_of(const KernelWork& w) {
+    const bool usual_scene = w.work.scene == default_case().scene;
+    return usual_scene ? w.kernel
+                       : fmt::format("{}, {}", w.kernel, std::filesystem::path(w.work.scene).stem().string());
 }
 
 /// "scene thesis, path length 128", and what else is unusual.
@@ -136,9 +136,10 @@ std::string text_of(Case work) {
 }
 
 std::string rays_or_segments(const std::string& kernel) {
-    const auto ids = integrator_ids();
-    const bool known = std::find(ids.begin(), ids.end(), kernel) != ids.end();
-    return known && integrator(kernel).lists_rays ? "Mrays" : "Msegments";
+    const bool rays = std::any_of(integrators().begin(), integrators().end(), [&](const Integrator& each) {
+        return each.id == kernel && each.lists_rays;
+    });
+    return rays ? "Mrays" : "Msegments";
 }
 
 std::string detail_of(const Record& record) {
@@ -179,8 +180,8 @@ double segments_a_sample(const std::vector<Entry>& entries) {
 
 /// Each published device by its row of the most samples, where the published kernel did the same work.
 std::vector<Standing> published_standings(const PublishedTable& table, const std::vector<KernelWork>& works) {
-    const auto own = std::find_if(works.begin(), works.end(), [&](const KernelWork& c) {
-        return c.kernel == table.kernel && c.work.scene == table.scene && c.is_usual();
+    const auto own = std::find_if(works.begin(), works.end(), [&](const KernelWork& w) {
+        return w.kernel == table.kernel && w.work.scene == table.scene && w.is_usual();
     });
     if (own == works.end()) return {};
     const double segments = segments_a_sample(own->entries);
@@ -203,9 +204,9 @@ std::vector<Standing> published_standings(const PublishedTable& table, const std
     return standings;
 }
 
-/// Whether a kernel's efficiencies are comparable to those of the first one that has any: of those whose
-/// truth is `base_kernel`, if there are such, else of all.
-bool comparable_in_efficiency(const std::vector<KernelWork>& works, const KernelWork& c) {
+/// The first work that has efficiencies: of those whose truth is `base_kernel`, if there are such, else of
+/// all.
+const KernelWork* first_with_efficiency(const std::vector<KernelWork>& works) {
     const auto has_any = [](const KernelWork& w) {
         return !standings_of(w.entries, efficiency_of_megapixel).empty();
     };
@@ -213,7 +214,7 @@ bool comparable_in_efficiency(const std::vector<KernelWork>& works, const Kernel
         return truth_of(w.kernel) == base_kernel && has_any(w);
     });
     if (first == works.end()) first = std::find_if(works.begin(), works.end(), has_any);
-    return first != works.end() && c.work == first->work && truth_of(c.kernel) == truth_of(first->kernel);
+    return first == works.end() ? nullptr : &*first;
 }
 
 void append(std::vector<Ranking>& all, Ranking ranking) {
@@ -229,10 +230,10 @@ std::vector<Ranking> rankings(const std::vector<const ResultFile*>& runs, const 
     const auto works = works_of(runs);
     const auto old = published_standings(published, works);
     std::vector<Ranking> all;
-    for (const KernelWork& c : works) {
-        Ranking ranking{title_of(c), rays_or_segments(c.kernel) + "/s", text_of(c.work), "",
-                        standings_of(c.entries, msegments_per_s)};
-        const bool as_published = c.is_usual() && (c.kernel == base_kernel || c.kernel == published.kernel);
+    for (const KernelWork& w : works) {
+        Ranking ranking{title_of(w), rays_or_segments(w.kernel) + "/s", text_of(w.work), "",
+                        standings_of(w.entries, msegments_per_s)};
+        const bool as_published = w.is_usual() && (w.kernel == base_kernel || w.kernel == published.kernel);
         if (as_published && !old.empty() && !ranking.standings.empty()) {
             ranking.standings.insert(ranking.standings.end(), old.begin(), old.end());
             ranking.note = fmt::format(
@@ -241,13 +242,14 @@ std::vector<Ranking> rankings(const std::vector<const ResultFile*>& runs, const 
         }
         append(all, ranking);
     }
-    for (const KernelWork& c : works)
-        if (comparable_in_efficiency(works, c))
-            append(all, {title_of(c) + ", efficiency", "1/(relMSE s) of a megapixel", text_of(c.work), "",
-                         standings_of(c.entries, efficiency_of_megapixel)});
-    for (const KernelWork& c : works)
-        append(all, {title_of(c) + ", per joule", rays_or_segments(c.kernel) + "/J", text_of(c.work), "",
-                     standings_of(c.entries, msegments_per_joule)});
+    const KernelWork* first = first_with_efficiency(works);  // others of its picture are comparable to it
+    for (const KernelWork& w : works)
+        if (first != nullptr && w.work == first->work && truth_of(w.kernel) == truth_of(first->kernel))
+            append(all, {title_of(w) + ", efficiency", "1/(relMSE s) of a megapixel", text_of(w.work), "",
+                         standings_of(w.entries, efficiency_of_megapixel)});
+    for (const KernelWork& w : works)
+        append(all, {title_of(w) + ", per joule", rays_or_segments(w.kernel) + "/J", text_of(w.work), "",
+                     standings_of(w.entries, msegments_per_joule)});
     return all;
 }
 
