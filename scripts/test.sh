@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # From a fresh clone to the tests' verdict: installs what is missing, builds everything, runs ctest.
-#   scripts/test.sh                  every test; unit and most of cli under sanitizers
+#   scripts/test.sh                  what CI runs; unit and some of cli under sanitizers
+#   scripts/test.sh --long           every test: most of cli under sanitizers as well, each header compiled alone
 #   scripts/test.sh [ctest options]  what the options choose: -L unit, -R layout, ...
 # The last lines are ctest's summary; the exit code is ctest's.
 set -euo pipefail
@@ -21,15 +22,16 @@ if command -v ccache >/dev/null; then options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=cc
 strict=()
 if [ -n "${PTB_STRICT-}" ]; then strict=(-DCMAKE_CXX_FLAGS=-Werror); fi
 
-sanitized=''
-if [ $# -eq 0 ]; then
-    sanitized=$root/build/asan
-    quietly cmake --preset asan "${options[@]}"
-fi
+case $* in
+    '') tests=(--label-exclude '^long$') sanitized=$root/build/asan ;;
+    --long) tests=() sanitized=$root/build/asan ;;
+    *) tests=("$@") sanitized='' ;;
+esac
+if [ -n "$sanitized" ]; then quietly cmake --preset asan "${options[@]}"; fi
 quietly cmake --preset release -DPTBENCH_TESTS=ON -DPTBENCH_MICRO=ON "-DPTBENCH_SANITIZED_TREE=$sanitized" \
     "${options[@]}" ${strict[@]+"${strict[@]}"}
 cmake --build build/release
 if [ -n "$sanitized" ]; then cmake --build build/asan --target unit_tests ptbench; fi
 wait "$installing"
 
-exec ctest --test-dir build/release --output-on-failure --parallel "$(nproc)" "$@"
+exec ctest --test-dir build/release --output-on-failure --parallel "$(nproc)" ${tests[@]+"${tests[@]}"}

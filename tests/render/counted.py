@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 MORE = 0.001
-PIXELS, SPP = 64, 4
+PIXELS, SPP = 35, 4
 # Instructions of vectors count as one: THESIS_WIDTH does so too. A call of dot stands for 7 operations, one
 # of normalize for those, a root, a division and a product with a vector.
 FLOPS = {"fadd": 1, "fsub": 1, "fmul": 1, "call llvm.fmuladd.f32()": 2, "call llvm.fmuladd.v4f32()": 2,

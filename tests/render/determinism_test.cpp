@@ -80,7 +80,7 @@ TEST(Determinism, smallest_passes_change_no_bit) {
 }
 
 TEST(Determinism, restart_and_repetition_change_no_bit) {
-    const Scene scene = shipped_scene("free_light");
+    const Scene scene = shipped_scene("thesis");
     on_everything([&](const ocl::Device& device, const Integrator& row, int lanes) {
         const auto render = make_render(device, row.id, scene, small_job(lanes));
         const Film first = finish(*render);
@@ -107,7 +107,7 @@ TEST(Determinism, restart_empties_the_film) {
 }
 
 TEST(Determinism, seed_changes_the_picture) {
-    const Scene scene = shipped_scene("free_light");
+    const Scene scene = shipped_scene("thesis");
     on_everything([&](const ocl::Device& device, const Integrator& row, int lanes) {
         RenderJob job = small_job(lanes);
         const Film first = render_film(device, row.id, scene, job);
