@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Measures all of one device that the archive compares: configs and meshes, in about ten minutes.
+"""Measures all of one device that the archive compares: configs and meshes, in about ten minutes; or of equal ones together.
 
-usage: archive_device.py PTBENCH VENDOR/NAME [-d DEVICE] [--seconds N] [--runs quick,speed,...] [--folder ARCHIVE]
+usage: archive_device.py PTBENCH VENDOR/NAME [-d DEVICE[,DEVICE...]] [--seconds N] [--runs quick,speed,...] [--folder ARCHIVE]
 
-Runs what stands in RUNS, all of it in about N seconds [500] and what compiling takes, on DEVICE [0] of `ptbench list`; on
-a GPU at its sizes. Leaves result.json of each, and the picture of the first, in results/archive/VENDOR/NAME/RUN, cut as
+Runs what stands in RUNS, or in RUNS_TOGETHER for several devices, all of it in about N seconds [500] and what compiling takes,
+on DEVICE [0] of `ptbench list`; on a GPU at its sizes. Leaves result.json of each, and the picture of the first, in results/archive/VENDOR/NAME/RUN, cut as
 results/README.md says, and the device's line in README.md. scripts/archive.py checks it all and makes the page."""
 
 import argparse
@@ -31,20 +31,26 @@ RUNS = {  # share of the time in percent, words, and those of a CPU or a GPU bes
     "meshes": (8, f"{MESHES} {SHORT}", "--size 128", "--size 1024"),
     "rays": (6, f"--config rays {SHORT}", "", "--size 2048"),
 }
+RUNS_TOGETHER = {
+    "cards": (50, "--config cards", "--size 64", ""),
+    "one-picture": (50, f"--kernel pt,pt_nee,bdpt --path-length 8 --spp [256,4096] -a devices=[1,2,all] --wg implicit {SHORT}", "--size 64",
+                    "--size 1024"),
+}
 CHOOSES = ("POCL_DEVICES", "RUSTICL_ENABLE", "CUDA_VISIBLE_DEVICES")  # devices
 
 
-def is_gpu(ptbench, device):
-    """Of a key, or of a number in the list."""
+def are_gpus(ptbench, devices):
+    """Of keys, or of numbers in the list."""
     listed = json.loads(subprocess.run([ptbench, "list", "-q", "--json"], check=True, capture_output=True, text=True).stdout)["devices"]
-    found = [each for at, each in enumerate(listed) if device in (str(at), each["key"])]
-    if not found:
-        sys.exit(f"-d: found {device}; allowed: {', '.join(each['key'] for each in listed)}")
-    return found[0]["type"] == "GPU"
+    names = {name: each for at, each in enumerate(listed) for name in (str(at), each["key"])}
+    unknown = [device for device in devices if device not in names]
+    if unknown:
+        sys.exit(f"-d: found {unknown[0]}; allowed: {', '.join(each['key'] for each in listed)}")
+    return all(names[device]["type"] == "GPU" for device in devices)
 
 
 def words_of(run, options, gpu):
-    share, words, of_cpu, of_gpu = RUNS[run]
+    share, words, of_cpu, of_gpu = (RUNS | RUNS_TOGETHER)[run]
     return [*shlex.split(f"{words} {of_gpu if gpu else of_cpu}"), "-d", options.device, "--no-tune",
             "--max-total-time", f"{options.seconds * share / 100:.0f}", "--out", run]
 
@@ -81,9 +87,9 @@ def measure(ptbench, folder, words, pictures):
 
 
 def line(options, result):
-    device, host = result["devices"][0], result["host"]
+    device, host, count = result["devices"][0], result["host"], len(result["devices"])
     chosen = "".join(f"{name}={os.environ[name]} " for name in CHOOSES if name in os.environ)
-    return (f"| `{options.name}` | {device['name']}, {device['compute_units']} compute units; {device['platform']} "
+    return (f"| `{options.name}` | {f'{count} of ' if count > 1 else ''}{device['name']}, {device['compute_units']} compute units; {device['platform']} "
             f"{device['driver_version']}, {host['os']} | `{chosen}scripts/archive_device.py build/release/bin/ptbench {options.name} "
             f"-d {options.device} --seconds {options.seconds}` |\n")
 
@@ -103,13 +109,14 @@ def main():
     parser.add_argument("name")
     parser.add_argument("-d", "--device", default="0")
     parser.add_argument("--seconds", type=int, default=500)
-    parser.add_argument("--runs", default=",".join(RUNS))
+    parser.add_argument("--runs")
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "results/archive")
     options = parser.parse_args()
     ptbench, folder = options.ptbench.resolve(), options.folder.resolve() / options.name
     folder.mkdir(parents=True, exist_ok=True)
-    gpu = is_gpu(ptbench, options.device)
-    runs = options.runs.split(",")
+    devices = options.device.split(",")
+    gpu = are_gpus(ptbench, devices)
+    runs = options.runs.split(",") if options.runs else list(RUNS if len(devices) == 1 else RUNS_TOGETHER)
     for run in runs:
         result = measure(ptbench, folder, words_of(run, options, gpu), run == runs[0])
     put_line(options.folder / "README.md", options.name, line(options, result))

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # From a fresh clone to the tests' verdict: installs what is missing, builds everything, runs ctest.
 #   scripts/test.sh                  what CI runs; unit and some of cli under sanitizers
-#   scripts/test.sh --long           every test: most of cli under sanitizers as well, each header compiled alone
+#   scripts/test.sh --long           every test (tests/README.md)
 #   scripts/test.sh [ctest options]  what the options choose: -L unit, -R layout, ...
 # The last lines are ctest's summary; the exit code is ctest's.
 set -euo pipefail

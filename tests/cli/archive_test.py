@@ -119,13 +119,13 @@ class Archive(unittest.TestCase):
         lines = re.findall(r"^\| `([^`]+)` \|", (ARCHIVE / "README.md").read_text(), re.M)
         self.assertEqual(sorted(lines), sorted({str(file.parents[1].relative_to(ARCHIVE)) for file in ARCHIVE.glob("*/*/*/result.json")}))
 
-    def measure(self, runs, seconds):
-        command = [sys.executable, "-B", SOURCE / "scripts/archive_device.py", BINARY, "here/this", "-d", "pocl:0", "--seconds", seconds]
+    def measure(self, runs, seconds, devices="pocl:0"):
+        command = [sys.executable, "-B", SOURCE / "scripts/archive_device.py", BINARY, "here/this", "-d", devices, "--seconds", seconds]
         measured = subprocess.run([*command, "--runs", runs, "--folder", self.folder], capture_output=True, text=True)
         self.assertEqual(measured.returncode, 0, measured.stderr)
 
     def test_a_device_is_measured_into_its_folder(self):
-        self.measure("memory,quality", "80")
+        self.measure("memory,quality", "40")
         self.measure("quality", "10")  # again takes its own place
         folder = self.folder / "here/this"
         files = sorted(folder.glob("*/result.json"))
@@ -136,6 +136,12 @@ class Archive(unittest.TestCase):
         self.assertEqual(readme.count("| `here/this` |"), 1)
         pictures = [picture for file in files for picture in json.loads(file.read_text())["pictures"]]  # none if there was no time
         self.assertEqual(list(device_faults(folder, readme)), [] if pictures else ["none of its runs has its picture"])
+
+    def test_several_devices_are_measured_together(self):
+        self.measure("one-picture", "10", devices="0,pocl:1")
+        result = json.loads((self.folder / "here/this/one-picture/result.json").read_text())
+        self.assertEqual([device["key"] for device in result["devices"]], ["pocl:0", "pocl:1"])
+        self.assertIn("| `here/this` | 2 of ", (self.folder / "README.md").read_text())
 
     def test_the_command_makes_an_index_of_every_result(self):
         code, words = make(ARCHIVE, self.index)

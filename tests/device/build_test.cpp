@@ -14,7 +14,7 @@ Scene shipped(const std::string& name) {
 
 TEST(Build, every_integrator_compiles_for_every_lane_width_without_warnings) {
     const Scene scene = shipped("thesis");
-    on_every_device([&](const ocl::Device& device) {
+    on_every_compiler([&](const ocl::Device& device) {
         for (const Integrator& row : integrators()) {
             if (!row.spheres) continue;
             for (const int lanes : row.lanes) {
@@ -33,7 +33,7 @@ TEST(Build, every_integrator_compiles_for_every_lane_width_without_warnings) {
 
 TEST(Build, kernel_facts_are_those_of_a_usable_kernel) {
     const Scene scene = shipped("thesis");
-    on_every_device([&](const ocl::Device& device) {
+    on_every_compiler([&](const ocl::Device& device) {
         for (const Integrator& row : integrators()) {
             if (!row.spheres) continue;
             RenderJob job;
@@ -51,7 +51,7 @@ TEST(Build, kernel_facts_are_those_of_a_usable_kernel) {
 
 TEST(Build, memory_foretold_covers_what_is_asked_for) {
     const Scene scene = shipped("thesis");
-    on_every_device([&](const ocl::Device& device) {
+    on_every_compiler([&](const ocl::Device& device) {
         for (const Integrator& row : integrators()) {
             if (!row.spheres) continue;
             RenderJob job;

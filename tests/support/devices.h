@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,17 @@ void on_every_device(Body&& body) {
         body(device);
         if (testing::Test::HasFatalFailure()) return;
     }
+}
+
+/// As above, of devices that have one compiler the first: PoCL's "pthread-haswell-EPYC" and
+/// "basic-haswell-EPYC".
+template <class Body>
+void on_every_compiler(Body&& body) {
+    std::set<std::string> seen;
+    on_every_device([&](const ocl::Device& device) {
+        const std::string machine = device.info.name.substr(device.info.name.find('-') + 1);
+        if (seen.insert(device.info.platform + machine).second) body(device);
+    });
 }
 
 }  // namespace ptb
