@@ -117,7 +117,7 @@ void add_measuring(CLI::App& app, RunFlags& flags) {
     option(app, "--timeout", flags.timeout_s, "a worker silent for longer is killed, seconds")
         ->check(seconds(false));
     option(app, "--max-total-time", flags.max_total_time_s,
-           "budget of the run in seconds, 0 for none: cases of little work run first")
+           "budget of the run in seconds, 0 for none: shared by its devices, on each for little work first")
         ->check(seconds(true));
     option(app, "--seed", flags.seed, "seed of the random numbers")
         ->check(whole_number(0, limits::most_seed));

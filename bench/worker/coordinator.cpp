@@ -55,14 +55,23 @@ double repetitions_s(const RunPlan& plan) {
 /// Of a budget, how much may go into estimates before the first case: each of them compiles a kernel.
 constexpr double most_estimating = 0.25;
 
-/// Seconds that one sample of each case after the i-th takes: no case's repetitions may use them up. What
-/// does not fit into the budget anyway has no part in it; what is not known yet has as much as for
-/// repetitions.
+/// Devices of the cases from the i-th on, which come device by device.
+std::size_t devices_from(const RunPlan& plan, std::size_t i) {
+    std::set<std::string> devices;
+    for (; i < plan.cases.size(); ++i) devices.insert(plan.cases[i].device);
+    return devices.size();
+}
+
+/// Seconds that one sample of each case after the i-th takes on the same device: no case's repetitions may
+/// use them up. What does not fit into the device's share anyway has no part in it; what is not known yet has
+/// as much as for repetitions.
 std::vector<double> samples_to_come(const RunPlan& plan, const Forecast& forecast) {
     std::vector<double> reserved(plan.cases.size(), 0.0);
+    const double share_s = plan.max_total_time_s / static_cast<double>(devices_from(plan, 0));
     for (std::size_t i = plan.cases.size(); i-- > 1;) {
+        if (plan.cases[i].device != plan.cases[i - 1].device) continue;
         const double sum_s = reserved[i] + forecast.sample_s(plan.cases[i]).value_or(repetitions_s(plan));
-        reserved[i - 1] = sum_s <= plan.max_total_time_s ? sum_s : reserved[i];
+        reserved[i - 1] = sum_s <= share_s ? sum_s : reserved[i];
     }
     return reserved;
 }
@@ -154,6 +163,7 @@ Coordinator::Coordinator(RunPlan plan, OpenChannel open, Stopped stopped, Second
       stopped_(std::move(stopped)),
       now_s_(std::move(now_s)),
       start_s_(now_s_()),
+      end_s_(start_s_ + plan_.max_total_time_s),
       shared_(std::move(shared)) {
     for (const DeviceInfo& device : plan_.devices) {
         workers_.try_emplace(device.key, device, open, plan_.measure);
@@ -203,6 +213,7 @@ std::vector<Record> Coordinator::run(Forecast forecast, const std::vector<RunObs
     reserved_s_ = samples_to_come(plan_, forecast);
     for (std::size_t i = 0; i < plan_.cases.size(); ++i) {
         const Case& c = plan_.cases[i];
+        if (i == 0 || plan_.cases[i - 1].device != c.device) share_budget(i);
         if (const auto left_s = budget_left_s(); left_s && *left_s > 0 && !stopped_()) estimate(c, forecast);
         for (RunObserver* observer : observers) observer->started(i, c);
         records.push_back(run_case(i, forecast, [&](const Response& progress) {
@@ -367,9 +378,17 @@ DeviceWorker& Coordinator::worker_of(const std::string& device) {
     return worker;
 }
 
+/// Of what is left, the device of this case and of those after it has as much as each one to come; what it
+/// leaves is theirs.
+void Coordinator::share_budget(std::size_t index) {
+    end_s_ = start_s_ + plan_.max_total_time_s;
+    const double now_s = now_s_(), devices = static_cast<double>(devices_from(plan_, index));
+    end_s_ = now_s + (end_s_ - now_s) / devices;
+}
+
 std::optional<double> Coordinator::budget_left_s() const {
     if (plan_.max_total_time_s <= 0) return std::nullopt;
-    return plan_.max_total_time_s - (now_s_() - start_s_);
+    return end_s_ - now_s_();
 }
 
 /// Why a case is skipped without being tried, or empty. A budget cuts repetitions, never work: what cannot be
@@ -379,10 +398,12 @@ std::string Coordinator::not_to_try(const Case& c, const Forecast& forecast) con
     const auto left_s = budget_left_s();
     const double sample_s = forecast.sample_s(c).value_or(0);
     if (!left_s || (*left_s > 0 && sample_s <= *left_s)) return {};
-    const std::string budget = duration_text(plan_.max_total_time_s);
-    if (*left_s <= 0) return fmt::format("the budget of {} is used up (--max-total-time)", budget);
-    return fmt::format("predicted {} a sample, {} are left of the budget of {} (--max-total-time)",
-                       duration_text(sample_s), duration_text(*left_s), budget);
+    const std::string budget =
+        fmt::format("{}the budget of {}", plan_.devices.size() > 1 ? c.device + "'s share of " : "",
+                    duration_text(plan_.max_total_time_s));
+    if (*left_s <= 0) return fmt::format("{} is used up (--max-total-time)", budget);
+    return fmt::format("predicted {} a sample, {} are left of {} (--max-total-time)", duration_text(sample_s),
+                       duration_text(*left_s), budget);
 }
 
 Request Coordinator::run_request(std::size_t index) const {

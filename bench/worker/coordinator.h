@@ -72,8 +72,9 @@ class Coordinator {
     /// Asks each device what it can do at most.
     std::vector<DevicePeaks> peaks();
 
-    /// Runs the plan in its order; `observers` hear of each case. Under a budget what is not forecast is
-    /// asked before its first case, and what is measured makes forecasts better.
+    /// Runs the plan in its order; `observers` hear of each case. Under a budget devices have equal shares of
+    /// what those before them have left; what is not forecast is asked before its first case, and what is
+    /// measured makes forecasts better.
     std::vector<Record> run(Forecast forecast, const std::vector<RunObserver*>& observers);
 
     /// Pictures that were not written, and workers that were given up: "no picture of pocl:0: disk full".
@@ -86,6 +87,7 @@ class Coordinator {
     DeviceWorker& worker_of(const std::string& device);
     Forecast estimated(const Stopped& enough);
     void estimate(const Case& c, Forecast& forecast);
+    void share_budget(std::size_t index);
     std::optional<double> budget_left_s() const;
     std::string not_to_try(const Case& c, const Forecast& forecast) const;
     Request run_request(std::size_t index) const;
@@ -103,9 +105,10 @@ class Coordinator {
     RunPlan plan_;
     Stopped stopped_;
     SecondsNow now_s_;
-    double start_s_;
-    std::vector<double> reserved_s_;  ///< for each case, what one sample of each later one takes
-    std::set<CostKey> asked_;         ///< for an estimate
+    double start_s_, end_s_;  ///< of the budget, and of the part of it that the device at hand has
+    std::vector<double>
+        reserved_s_;           ///< for each case, what one sample of each later one of its device takes
+    std::set<CostKey> asked_;  ///< for an estimate
     std::map<std::string, DeviceWorker> workers_;
     DeviceWorker* live_ = nullptr;
     MeasureShared shared_;

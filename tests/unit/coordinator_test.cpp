@@ -247,6 +247,24 @@ TEST(coordinator, what_is_measured_makes_forecasts_better) {
     EXPECT_EQ(statuses(coordinator.run(forecast, {})), (std::vector{Status::ok, Status::ok}));
 }
 
+TEST(coordinator, devices_have_equal_shares_of_the_budget_and_of_what_others_leave) {
+    RunPlan plan = plan_of({make_case("good", 1000), make_case("good", 1), make_case("good", 1000, "fake:1"),
+                            make_case("good", 1, "fake:1")},
+                           {device(), device("fake:1")});
+    plan.max_total_time_s = 120;
+    Forecast forecast(plan.measure);
+    forecast.learn(make_case("good"), 10000);  // 100 s for 1000 SPP
+    forecast.learn(make_case("good", 1, "fake:1"), 10000);
+    Coordinator coordinator(plan, fake_channels(), never(), [] { return 0.0; });
+    const auto records = coordinator.run(forecast, {});
+    EXPECT_EQ(statuses(records), (std::vector{Status::skipped, Status::ok, Status::ok, Status::ok}));
+    EXPECT_EQ(
+        records[0].reason,
+        "predicted 1 min 40 s a sample, 1 min 0 s are left of fake:0's share of the budget of 2 min 0 s "
+        "(--max-total-time)");
+    EXPECT_EQ(records[1].statistics->max_ns, 60);
+}
+
 TEST(coordinator, a_used_up_budget_skips_what_has_no_forecast_too) {
     RunPlan plan = plan_of({make_case("good")});
     plan.max_total_time_s = 10;
