@@ -162,8 +162,8 @@ Coordinator::Coordinator(RunPlan plan, OpenChannel open, Stopped stopped, Second
     : plan_(std::move(plan)),
       stopped_(std::move(stopped)),
       now_s_(std::move(now_s)),
-      start_s_(now_s_()),
-      end_s_(start_s_ + plan_.max_total_time_s),
+      end_s_(now_s_() + plan_.max_total_time_s),
+      share_end_s_(end_s_),
       shared_(std::move(shared)) {
     for (const DeviceInfo& device : plan_.devices) {
         workers_.try_emplace(device.key, device, open, plan_.measure);
@@ -381,14 +381,13 @@ DeviceWorker& Coordinator::worker_of(const std::string& device) {
 /// Of what is left, the device of this case and of those after it has as much as each one to come; what it
 /// leaves is theirs.
 void Coordinator::share_budget(std::size_t index) {
-    end_s_ = start_s_ + plan_.max_total_time_s;
-    const double now_s = now_s_(), devices = static_cast<double>(devices_from(plan_, index));
-    end_s_ = now_s + (end_s_ - now_s) / devices;
+    const double now_s = now_s_();
+    share_end_s_ = now_s + (end_s_ - now_s) / static_cast<double>(devices_from(plan_, index));
 }
 
 std::optional<double> Coordinator::budget_left_s() const {
     if (plan_.max_total_time_s <= 0) return std::nullopt;
-    return end_s_ - now_s_();
+    return share_end_s_ - now_s_();
 }
 
 /// Why a case is skipped without being tried, or empty. A budget cuts repetitions, never work: what cannot be

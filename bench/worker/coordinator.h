@@ -105,10 +105,9 @@ class Coordinator {
     RunPlan plan_;
     Stopped stopped_;
     SecondsNow now_s_;
-    double start_s_, end_s_;  ///< of the budget, and of the part of it that the device at hand has
-    std::vector<double>
-        reserved_s_;           ///< for each case, what one sample of each later one of its device takes
-    std::set<CostKey> asked_;  ///< for an estimate
+    double end_s_, share_end_s_;      ///< of the budget, and of what the device at hand has of it
+    std::vector<double> reserved_s_;  ///< for each case, one sample of each later one of its device
+    std::set<CostKey> asked_;         ///< for an estimate
     std::map<std::string, DeviceWorker> workers_;
     DeviceWorker* live_ = nullptr;
     MeasureShared shared_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,24 +21,21 @@ inline RenderJob small_job(int lanes) {
     return job;
 }
 
-/// Runs `body(device, integrator, lanes)` for each device and each integrator of spheres. On the first device
-/// `pt`, whose machinery others share, has each of its lane widths, and others what they have unless told
-/// otherwise; on the next ones they have one lane, and `pt` what it has unless told otherwise.
+/// Runs `body(device, integrator, lanes)` for each device and each integrator of spheres: `pt`, whose
+/// machinery others share, with each of its lane widths, others with one lane and with what they have unless
+/// told otherwise.
 template <class Body>
 void on_everything(Body&& body) {
-    bool first = true;
     on_every_device([&](const ocl::Device& device) {
         for (const Integrator& row : integrators()) {
             if (!row.spheres) continue;
-            const bool is_pt = row.id == "pt";
-            const std::vector<int> one{is_pt || first ? default_lanes(row, device.info) : 1};
-            const std::vector<int>& widths = first && is_pt ? row.lanes : one;
+            std::set<int> widths{1, default_lanes(row, device.info)};
+            if (row.id == "pt") widths.insert(row.lanes.begin(), row.lanes.end());
             for (const int lanes : widths) {
                 SCOPED_TRACE(fmt::format("{}, lanes {}", row.id, lanes));
                 body(device, row, lanes);
             }
         }
-        first = false;
     });
 }
 
