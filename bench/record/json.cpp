@@ -92,6 +92,20 @@ void decode(const Json& json, const Where& where, Case& c) {
     }
 }
 
+Json encode(Size size) { return to_string(size); }
+
+void decode(const Json& json, const Where& where, Size& size) {
+    std::string text;
+    decode(json, where, text);
+    Case c;
+    try {
+        set_case_value(c, "size", text);
+    } catch (const UsageError& error) {
+        where.fail(error.what());
+    }
+    size = c.size;
+}
+
 Json encode(const JsonText& text) {
     return text.json.empty() ? Json(nullptr) : parse_json(text.json, "document");
 }

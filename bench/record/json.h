@@ -224,6 +224,8 @@ inline constexpr auto fields<MeasureOptions> = std::make_tuple(
 /// A case is written in the words of the axes: "size": "128x128", "work_group": "implicit", "lanes": "auto".
 Json encode(const Case& c);
 void decode(const Json& json, const Where& where, Case& c);
+Json encode(Size size);
+void decode(const Json& json, const Where& where, Size& size);
 Json encode(const JsonText& text);
 void decode(const Json& json, const Where& where, JsonText& text);
 Json encode(Status status);

@@ -12,19 +12,6 @@
 
 namespace ptb {
 
-Json encode(Size size) { return to_string(size); }
-void decode(const Json& json, const Where& where, Size& size) {
-    std::string text;
-    decode(json, where, text);
-    Case c;
-    try {
-        set_case_value(c, "size", text);
-    } catch (const UsageError& error) {
-        where.fail(error.what());
-    }
-    size = c.size;
-}
-
 template <>
 inline constexpr auto fields<PublishedRow> =
     std::make_tuple(required("vendor", &PublishedRow::vendor), required("type", &PublishedRow::type),

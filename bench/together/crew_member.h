@@ -7,14 +7,20 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/thread_pool.hpp>
 
+#include "bench/together/nameless_file.h"
 #include "bench/worker/device_worker.h"
+#include "bench/worker/shared_pixels.h"
 
 namespace ptb {
 
 /// One device of a crew. What talks to its worker runs in its own thread, which no worker outlives.
 struct CrewMember {
-    CrewMember(const DeviceInfo& its_device, const OpenChannel& open, const MeasureOptions& measure)
-        : device(its_device), worker(its_device, open, measure) {}
+    CrewMember(const DeviceInfo& its_device, const OpenChannel& open, const MeasureOptions& measure,
+               Size size)
+        : device(its_device),
+          worker(its_device, open, measure),
+          film_file(SharedPixels::bytes(size)),
+          film(film_file.path(), size) {}
     ~CrewMember() {
         start([this] { worker.close(); }).wait();
     }
@@ -31,6 +37,8 @@ struct CrewMember {
 
     DeviceInfo device;
     DeviceWorker worker;
+    NamelessFile film_file;  ///< where its worker puts its film
+    SharedPixels film;
     int workers_left = 2;     ///< that may be started: one may die
     std::string gone{};       ///< why it makes nothing any more
     bool is_sharing = false;  ///< its worker knows the picture

@@ -15,21 +15,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path place_for(std::uint64_t bytes) {
-    const fs::path memory = "/dev/shm";
-    std::error_code error;
-    const fs::space_info space = fs::space(memory, error);
-    const bool fits = !error && space.available >= bytes && ::access(memory.c_str(), W_OK) == 0;
-    return fits ? memory : fs::temp_directory_path();
+/// A descriptor, or -1 and `error`. All of its bytes are there from the start: who writes into a mapped file
+/// for which there is no room dies.
+int open_nameless(const fs::path& folder, std::uint64_t bytes, int& error) {
+    std::string name = (folder / "ptbench-film-XXXXXX").string();
+    const int fd = ::mkostemp(name.data(), O_CLOEXEC);
+    error = fd < 0 ? errno : 0;
+    if (fd < 0) return -1;
+    ::unlink(name.c_str());
+    error = ::posix_fallocate(fd, 0, static_cast<off_t>(bytes));
+    if (error == 0) return fd;
+    ::close(fd);
+    return -1;
 }
 
 }  // namespace
 
-NamelessFile::NamelessFile(std::uint64_t room_bytes) {
-    std::string name = (place_for(room_bytes) / "ptbench-film-XXXXXX").string();
-    fd_ = ::mkostemp(name.data(), O_CLOEXEC);
-    if (fd_ < 0) throw std::runtime_error(fmt::format("cannot create {}: {}", name, std::strerror(errno)));
-    ::unlink(name.c_str());
+std::vector<fs::path> places_for_films() { return {"/dev/shm", fs::temp_directory_path()}; }
+
+NamelessFile::NamelessFile(std::uint64_t bytes, const std::vector<fs::path>& folders) {
+    std::string why;
+    for (const fs::path& folder : folders) {
+        int error = 0;
+        fd_ = open_nameless(folder, bytes, error);
+        if (fd_ >= 0) return;
+        why += fmt::format("; {}: {}", folder.string(), std::strerror(error));
+    }
+    throw std::runtime_error(fmt::format("no room for a film of {} bytes{}", bytes, why));
 }
 
 NamelessFile::~NamelessFile() { ::close(fd_); }

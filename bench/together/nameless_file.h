@@ -2,14 +2,20 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 namespace ptb {
 
-/// A file for a film on its way from a worker, in memory where there is so much room. It has no name in any
-/// folder, so nothing is left of it however this process ends.
+/// In memory, and where there is none to spare on a disk.
+std::vector<std::filesystem::path> places_for_films();
+
+/// A file of so many bytes, for a film on its way from a worker, in the first of these folders that has room.
+/// It has no name in it, so nothing is left of it however this process ends.
 class NamelessFile {
   public:
-    explicit NamelessFile(std::uint64_t room_bytes);
+    /// Throws std::runtime_error where no folder has room.
+    explicit NamelessFile(std::uint64_t bytes,
+                          const std::vector<std::filesystem::path>& folders = places_for_films());
     ~NamelessFile();
     NamelessFile(const NamelessFile&) = delete;
     NamelessFile& operator=(const NamelessFile&) = delete;

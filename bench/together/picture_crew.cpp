@@ -11,9 +11,8 @@
 
 #include "bench/measure/clock.h"
 #include "bench/together/crew_member.h"
+#include "bench/together/film_total.h"
 #include "bench/together/hand_out.h"
-#include "bench/together/nameless_file.h"
-#include "bench/worker/film_file.h"
 #include "core/input/usage_error.h"
 #include "core/integrator/registry.h"
 
@@ -33,6 +32,13 @@ Request request_of(Request::Kind kind, const Case& params = {}) {
     request.kind = kind;
     request.params = params;
     return request;
+}
+
+using ComingTotal = std::shared_future<std::unique_ptr<FilmTotal>>;
+
+/// Memory is not had at once, and devices need it late.
+ComingTotal coming_total(Size size) {
+    return std::async(std::launch::async, [size] { return std::make_unique<FilmTotal>(size); });
 }
 
 /// Waits for all, then throws what went wrong first.
@@ -78,7 +84,7 @@ struct PictureCrew::Impl {
             throw UsageError(reason);
         const OpenChannel alone = one_at_a_time(open);
         for (const DeviceInfo& device : job.devices)
-            members.push_back(std::make_unique<CrewMember>(device, alone, job.measure));
+            members.push_back(std::make_unique<CrewMember>(device, alone, job.measure, job.params.size));
         on_all([this](CrewMember& member, std::size_t) { build(member); });
         for (auto& member : members)
             if (!cut) member->start([this, &m = *member] { begin(m); }).get();
@@ -149,6 +155,7 @@ struct PictureCrew::Impl {
     bool begin(CrewMember& member) {
         Request request = request_of(Request::Kind::share_picture, params_of(member));
         request.cut = cut;
+        request.film_file = member.film_file.path().string();
         while (member.gone.empty() && !member.is_sharing) {
             const auto sharing = ask(member, request);
             if (!sharing) continue;
@@ -174,9 +181,9 @@ struct PictureCrew::Impl {
 
     SharedPicture make(HandOut& hand_out, const SharedProgress& progress);
     void work(CrewMember& member, std::size_t index, HandOut& hand_out, const SharedProgress& progress,
-              SharedPicture& picture);
+              ComingTotal total);
     void make_parts(CrewMember& member, std::size_t index, HandOut& hand_out, const SharedProgress& progress);
-    void deliver(CrewMember& member, std::size_t index, HandOut& hand_out, SharedPicture& picture);
+    void deliver(CrewMember& member, std::size_t index, HandOut& hand_out, FilmTotal& total);
 };
 
 SharedPicture PictureCrew::Impl::make(HandOut& hand_out, const SharedProgress& progress) {
@@ -184,7 +191,9 @@ SharedPicture PictureCrew::Impl::make(HandOut& hand_out, const SharedProgress& p
     for (auto& member : members)
         member->kept_s = member->busy_s = member->kept_device_s = member->device_s = 0;
     const std::int64_t begin_ns = now_ns();
-    on_all([&](CrewMember& member, std::size_t i) { work(member, i, hand_out, progress, picture); });
+    const ComingTotal total = coming_total(job.params.size);
+    on_all([&](CrewMember& member, std::size_t i) { work(member, i, hand_out, progress, total); });
+    picture.sums = total.get()->take();
     picture.wall_s = seconds_since(begin_ns);
     picture.part_count = part_count;
     const std::vector<double> parts_per_s = speeds();
@@ -200,11 +209,11 @@ SharedPicture PictureCrew::Impl::make(HandOut& hand_out, const SharedProgress& p
 }
 
 void PictureCrew::Impl::work(CrewMember& member, std::size_t index, HandOut& hand_out,
-                             const SharedProgress& progress, SharedPicture& picture) {
+                             const SharedProgress& progress, ComingTotal total) {
     try {
         do {
             make_parts(member, index, hand_out, progress);
-            deliver(member, index, hand_out, picture);
+            if (hand_out.has_to_deliver(index)) deliver(member, index, hand_out, *total.get());
         } while (member.gone.empty() && hand_out.wait_for_more(index));
     } catch (...) {
         hand_out.stop();
@@ -233,22 +242,13 @@ void PictureCrew::Impl::make_parts(CrewMember& member, std::size_t index, HandOu
     }
 }
 
-void PictureCrew::Impl::deliver(CrewMember& member, std::size_t index, HandOut& hand_out,
-                                SharedPicture& picture) {
-    if (!hand_out.has_to_deliver(index)) return;
-    Request request = request_of(Request::Kind::give_film);
-    const NamelessFile file(members.size() * (job.params.size.pixels() * sizeof(FilmPixel) + 4096));
-    request.film_file = file.path().string();
-    if (!ask(member, request)) {
+void PictureCrew::Impl::deliver(CrewMember& member, std::size_t index, HandOut& hand_out, FilmTotal& total) {
+    const auto given = ask(member, request_of(Request::Kind::give_film));
+    if (!given) {
         hand_out.lost(index);
         return;
     }
-    FilmSums sums = read_film(request.film_file);
-    const std::lock_guard lock(mutex);
-    if (picture.sums)
-        add_sums(*picture.sums, sums);
-    else
-        picture.sums = std::move(sums);
+    total.add(given->film.value(), member.film.all(), index);
     member.busy_s += std::exchange(member.kept_s, 0);
     member.device_s += std::exchange(member.kept_device_s, 0);
     hand_out.delivered(index);

@@ -25,10 +25,10 @@ PartsDone PictureParts::render(PartRange parts, const Progress& progress) {
             static_cast<double>(timed.time.kernel_ns) * 1e-9};
 }
 
-FilmSums PictureParts::take_film() {
-    FilmSums sums = render_->read_sums();
+FilmFacts PictureParts::take_film(std::span<FilmPixel> pixels) {
+    const FilmFacts facts = render_->read_sums(pixels);
     render_->restart();
-    return sums;
+    return facts;
 }
 
 }  // namespace ptb

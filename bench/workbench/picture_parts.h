@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "bench/workbench/pace.h"
 
@@ -24,8 +25,8 @@ class PictureParts {
     /// Adds parts to the film. `progress` answers whether to go on.
     PartsDone render(PartRange parts, const Progress& progress);
 
-    /// The film, which then is empty.
-    FilmSums take_film();
+    /// The film into as many pixels as the image has; it is empty then.
+    FilmFacts take_film(std::span<FilmPixel> pixels);
 
   private:
     Pace& pace_;

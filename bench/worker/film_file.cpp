@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/record/fields.h"
+#include "bench/record/film_json.h"
 #include "core/render/film_hash.h"
 
 namespace ptb {
@@ -17,34 +17,25 @@ namespace ptb {
 /// The first line of a film's file.
 struct FilmHeader {
     std::string schema;
-    int width = 0, height = 0, radiance_scale = 0, squares_scale = 0;
-    bool variance = false;
-    std::uint64_t light_segments = 0;
+    FilmFacts film;
     std::string hash;  ///< of its pixels: a folder may damage a file and keep its size
 };
 
 template <>
-inline constexpr auto fields<FilmHeader> = std::make_tuple(
-    required("schema", &FilmHeader::schema), required("width", &FilmHeader::width),
-    required("height", &FilmHeader::height), required("radiance_scale", &FilmHeader::radiance_scale),
-    required("squares_scale", &FilmHeader::squares_scale), required("variance", &FilmHeader::variance),
-    required("light_segments", &FilmHeader::light_segments), required("hash", &FilmHeader::hash));
+inline constexpr auto fields<FilmHeader> = std::make_tuple(required("schema", &FilmHeader::schema),
+                                                           required("film", &FilmHeader::film),
+                                                           required("hash", &FilmHeader::hash));
 
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* film_schema = "ptbench.film.v1";
+constexpr const char* film_schema = "ptbench.film.v2";
 
 std::string hash_of(const FilmSums& sums) {
     FilmHash hash;
     hash.add(std::span<const FilmPixel>(sums.pixels));
     return hash.text();
-}
-
-FilmHeader header_of(const FilmSums& sums) {
-    return {film_schema,        sums.size.width,   sums.size.height,    sums.scale.radiance,
-            sums.scale.squares, sums.has_variance, sums.light_segments, hash_of(sums)};
 }
 
 [[noreturn]] void fail(const fs::path& file, const std::string& reason) {
@@ -59,23 +50,15 @@ FilmHeader read_header(const std::string& line, const fs::path& file) {
     FilmHeader header;
     const std::string origin = file.string();
     decode(parse_json(line, origin), Where(origin), header);
-    if (header.schema != film_schema || header.width < 1 || header.height < 1) fail(file, "is no film");
+    if (header.schema != film_schema) fail(file, "is no film");
     return header;
-}
-
-FilmSums described_by(const FilmHeader& header) {
-    return {{header.width, header.height},
-            {header.radiance_scale, header.squares_scale},
-            header.variance,
-            {},
-            header.light_segments};
 }
 
 }  // namespace
 
 void write_film(const fs::path& file, const FilmSums& sums) {
     std::ofstream out(file, std::ios::binary);
-    out << dump_json(encode(header_of(sums))) << '\n';
+    out << dump_json(encode(FilmHeader{film_schema, sums.facts, hash_of(sums)})) << '\n';
     out.write(reinterpret_cast<const char*>(sums.pixels.data()), bytes_of(sums));
     out.close();
     if (!out) fail(file, std::string("cannot be written: ") + std::strerror(errno));
@@ -86,10 +69,10 @@ FilmSums read_film(const fs::path& file) {
     std::string line;
     if (!std::getline(in, line)) fail(file, "cannot be read");
     const FilmHeader header = read_header(line, file);
-    FilmSums sums = described_by(header);
-    const auto bytes = static_cast<std::uintmax_t>(sums.size.pixels()) * sizeof(FilmPixel);
+    FilmSums sums{header.film};
+    const auto bytes = static_cast<std::uintmax_t>(header.film.size.pixels()) * sizeof(FilmPixel);
     if (fs::file_size(file) != line.size() + 1 + bytes) fail(file, "is not a whole film");
-    sums.pixels.resize(sums.size.pixels());
+    sums.pixels.resize(header.film.size.pixels());
     if (!in.read(reinterpret_cast<char*>(sums.pixels.data()), bytes_of(sums))) fail(file, "cannot be read");
     if (hash_of(sums) != header.hash) fail(file, "is damaged: its hash is not that of its first line");
     return sums;

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "bench/record/json.h"
+#include "bench/record/film_json.h"
 #include "bench/record/parts_json.h"
 
 namespace ptb {
@@ -67,7 +67,7 @@ inline constexpr auto fields<Response> = std::make_tuple(
     field("spp", &Response::spp), field("seconds", &Response::seconds), field("reason", &Response::reason),
     field("device_failed", &Response::device_failed), field("peaks", &Response::peaks),
     field("cut", &Response::cut), field("part_count", &Response::part_count),
-    field("parts", &Response::parts), field("device_s", &Response::device_s));
+    field("parts", &Response::parts), field("device_s", &Response::device_s), field("film", &Response::film));
 
 namespace {
 

@@ -8,13 +8,14 @@
 #include "bench/plan/config.h"
 #include "bench/record/record.h"
 #include "bench/worker/identity.h"
+#include "core/render/film_sums.h"
 #include "core/render/parts.h"
 #include "core/render/render.h"
 
 namespace ptb {
 
 /// Version of the line protocol between coordinator and worker; a mismatch ends the run with exit code 7.
-inline constexpr int protocol_version = 4;
+inline constexpr int protocol_version = 5;
 
 /// Coordinator to worker, one JSON object a line. The first line is always `open`; `stop` is no request of
 /// its own, but ends the `render` or `render_parts` of its number early, and what a `run` does beside others.
@@ -47,7 +48,7 @@ struct Request {
     Aov aov = Aov::radiance;            ///< render: what pixels have
     std::optional<RunCut> cut;          ///< share_picture: as an earlier device cut it into runs
     PartRange parts;                    ///< render_parts
-    std::string film_file;              ///< give_film: where to write the film
+    std::string film_file;              ///< share_picture: for the film, memory of both
     bool operator==(const Request&) const = default;
 };
 
@@ -77,21 +78,22 @@ struct Response {
     int protocol = protocol_version;
     std::int64_t number = 0;  ///< of the request that it answers
     WorkerIdentity worker;
-    WorkerFacts facts;             ///< ready
-    double ns_per_sample = 0;      ///< estimate: device time per pixel sample
-    std::string stage;             ///< progress: "open", "build", "validate", "warmup", "sample", "render"
-    double done = 0;               ///< progress: share of the stage, 0 to 1
-    std::optional<Record> record;  ///< record
-    int first_row = 0;             ///< pixels
-    std::string rgb;               ///< pixels: whole rows of floats in base64
-    bool whole = false;            ///< rendered: it was not stopped
-    double spp = 0, seconds = 0;   ///< rendered: samples of the mean pixel, and how long they took
-    std::optional<RunCut> cut;     ///< sharing
-    std::uint64_t part_count = 0;  ///< sharing: of the whole picture
-    PartRange parts;               ///< parts_done: of those asked for, from the first on
-    double device_s = 0;           ///< parts_done: beside `seconds` by the host's clock
-    std::string reason;            ///< failed, refused
-    std::vector<Peak> peaks;       ///< peaks
+    WorkerFacts facts;              ///< ready
+    double ns_per_sample = 0;       ///< estimate: device time per pixel sample
+    std::string stage;              ///< progress: "open", "build", "validate", "warmup", "sample", "render"
+    double done = 0;                ///< progress: share of the stage, 0 to 1
+    std::optional<Record> record;   ///< record
+    int first_row = 0;              ///< pixels
+    std::string rgb;                ///< pixels: whole rows of floats in base64
+    bool whole = false;             ///< rendered: it was not stopped
+    double spp = 0, seconds = 0;    ///< rendered: samples of the mean pixel, and how long they took
+    std::optional<RunCut> cut;      ///< sharing
+    std::uint64_t part_count = 0;   ///< sharing: of the whole picture
+    PartRange parts;                ///< parts_done: of those asked for, from the first on
+    double device_s = 0;            ///< parts_done: beside `seconds` by the host's clock
+    std::optional<FilmFacts> film;  ///< film_given: of the pixels that lie in the film's file now
+    std::string reason;             ///< failed, refused
+    std::vector<Peak> peaks;        ///< peaks
     bool device_failed =
         false;  ///< an OpenCL call failed: what this worker does from now on is worth nothing
     bool operator==(const Response&) const = default;

@@ -10,8 +10,8 @@
 #include "bench/plan/scene_file.h"
 #include "bench/workbench/outcome.h"
 #include "bench/workbench/workbench.h"
-#include "bench/worker/film_file.h"
 #include "bench/worker/picture.h"
+#include "bench/worker/shared_pixels.h"
 #include "core/input/usage_error.h"
 #include "core/ocl/error.h"
 #include "core/scene/content.h"
@@ -87,7 +87,7 @@ class DeviceSession : public WorkerSession {
         if (request.kind == Request::Kind::render) return render(request, send);
         if (request.kind == Request::Kind::share_picture) return share(request, send);
         if (request.kind == Request::Kind::render_parts) return render_parts(request, send);
-        if (request.kind == Request::Kind::give_film) return give_film(request);
+        if (request.kind == Request::Kind::give_film) return give_film();
         return request.kind == Request::Kind::peaks ? peaks(send) : measure(request, send);
     }
 
@@ -161,6 +161,7 @@ class DeviceSession : public WorkerSession {
         try {
             parts_.reset();  // frees the device's memory
             parts_ = bench_->parts(request.params, request.cut);
+            film_.emplace(request.film_file, request.params.size);
             response.cut = parts_->cut();
             response.part_count = parts_->count();
             response.ns_per_sample = bench_->estimate(request.params);
@@ -187,11 +188,11 @@ class DeviceSession : public WorkerSession {
         return response;
     }
 
-    Response give_film(const Request& request) {
+    Response give_film() {
         if (!parts_) return failed("there is no film to give");
-        write_film(request.film_file, parts_->take_film());
         Response response;
         response.kind = Response::Kind::film_given;
+        response.film = parts_->take_film(film_->all());
         return response;
     }
 
@@ -219,6 +220,7 @@ class DeviceSession : public WorkerSession {
     MeasureOptions options_;
     std::optional<Workbench> bench_;
     std::unique_ptr<PictureParts> parts_;  ///< of the picture that is being shared
+    std::optional<SharedPixels> film_;     ///< its, where the coordinator reads it
 };
 
 }  // namespace

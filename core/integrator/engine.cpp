@@ -157,10 +157,13 @@ class EngineRender : public PartRender {
     Film read_film() override {
         Film film = empty_film(job_.size, row_.independent_pixels);
         FilmHash hash;
-        film.light_segments = read_rows([&](int first_row, const std::vector<FilmPixel>& pixels) {
-            store_pixels(pixels, Size{job_.size.width, first_row}.pixels(), scale_, film);
-            hash.add(std::span<const FilmPixel>(pixels));
-        });
+        std::vector<FilmPixel> room;
+        for (const Band& band : bands()) {
+            room.resize(band.count);
+            film.light_segments += read(band, room);
+            store_pixels(room, band.first, scale_, film);
+            hash.add(std::span<const FilmPixel>(room));
+        }
         if (gradients_) take_gradients(film, hash);
         film.hash = hash.text();
         return film;
@@ -171,13 +174,11 @@ class EngineRender : public PartRender {
     void take(PartRange parts) override { cut_.take(parts); }
     PartRange parts_left() const override { return cut_.left(); }
 
-    FilmSums read_sums() override {
-        FilmSums sums{job_.size, scale_, row_.independent_pixels};
-        sums.pixels.reserve(job_.size.pixels());
-        sums.light_segments = read_rows([&](int, const std::vector<FilmPixel>& pixels) {
-            sums.pixels.insert(sums.pixels.end(), pixels.begin(), pixels.end());
-        });
-        return sums;
+    FilmFacts read_sums(std::span<FilmPixel> pixels) override {
+        FilmFacts facts{job_.size, scale_, row_.independent_pixels};
+        for (const Band& band : bands())
+            facts.light_segments += read(band, pixels.subspan(band.first, band.count));
+        return facts;
     }
 
     ocl::KernelFacts facts() const override { return kernel_facts(device_, render_); }
@@ -214,22 +215,26 @@ class EngineRender : public PartRender {
         restart();
     }
 
-    static constexpr int rows_at_once = 256;  ///< of the film, on the host
+    /// Whole rows of the film: a large one would take twice its size on the host at once.
+    struct Band {
+        int first_row;
+        std::size_t first, count;  ///< pixels
+    };
+    std::vector<Band> bands() const {
+        constexpr int rows_at_once = 256;
+        std::vector<Band> all;
+        for (int row = 0; row < job_.size.height; row += rows_at_once)
+            all.push_back({row, Size{job_.size.width, row}.pixels(),
+                           Size{job_.size.width, std::min(rows_at_once, job_.size.height - row)}.pixels()});
+        return all;
+    }
 
-    /// Some rows after the others; returns the segments of paths from lamps.
-    template <class Take>
-    std::uint64_t read_rows(Take&& take) {
-        std::uint64_t light_segments = 0;
-        for (int row = 0; row < job_.size.height; row += rows_at_once) {
-            const int rows = std::min(rows_at_once, job_.size.height - row);
-            const auto pixels = ocl::checked(row_.id + " film", device_.info.name, [&] {
-                auto read = film_->read(launcher_.queue(), row, rows);
-                if (splats_) light_segments += splats_->add_to(read, launcher_.queue(), row);
-                return read;
-            });
-            take(row, pixels);
-        }
-        return light_segments;
+    /// Returns the segments of paths from lamps.
+    std::uint64_t read(const Band& band, std::span<FilmPixel> pixels) {
+        return ocl::checked(row_.id + " film", device_.info.name, [&]() -> std::uint64_t {
+            film_->read(launcher_.queue(), band.first_row, pixels);
+            return splats_ ? splats_->add_to(pixels, launcher_.queue(), band.first_row) : 0;
+        });
     }
 
     std::vector<LaunchTimes> launch_units() {

@@ -47,11 +47,9 @@ class BufferFilm : public FilmStore {
         add_.setArg(2, launch);
         launcher.launch(add_, one_dimensional(launch.pixels, add_work_group));
     }
-    std::vector<FilmPixel> read(const cl::CommandQueue& queue, int first_row, int rows) override {
-        std::vector<FilmPixel> pixels(Size{size_.width, rows}.pixels());
+    void read(const cl::CommandQueue& queue, int first_row, std::span<FilmPixel> pixels) override {
         queue.enqueueReadBuffer(film_, CL_TRUE, Size{size_.width, first_row}.pixels() * sizeof(FilmPixel),
-                                pixels.size() * sizeof(FilmPixel), pixels.data());
-        return pixels;
+                                pixels.size_bytes(), pixels.data());
     }
     std::uint64_t bytes() const override { return film_bytes_of(size_, FilmMemory::buffer); }
 
@@ -86,26 +84,24 @@ class ImageFilm : public FilmStore {
         launcher.launch(add_, one_dimensional(size_.pixels(), add_work_group));
         std::swap(images_[0], images_[1]);
     }
-    std::vector<FilmPixel> read(const cl::CommandQueue& queue, int first_row, int rows) override {
+    void read(const cl::CommandQueue& queue, int first_row, std::span<FilmPixel> pixels) override {
+        const std::size_t rows = pixels.size() / width();
         std::array<std::vector<Texel>, FILM_LAYERS> layers;
         for (std::size_t i = 0; i < layers.size(); ++i) layers[i] = layer(queue, i, first_row, rows);
-        std::vector<FilmPixel> pixels(layers[0].size());
         for (std::size_t i = 0; i < pixels.size(); ++i)
             pixels[i] = std::bit_cast<FilmPixel>(
                 std::array<Texel, FILM_LAYERS>{layers[0][i], layers[1][i], layers[2][i], layers[3][i]});
-        return pixels;
     }
     std::uint64_t bytes() const override { return film_bytes_of(size_, FilmMemory::image); }
 
   private:
     using Texel = std::array<std::uint32_t, 4>;
     std::vector<Texel> layer(const cl::CommandQueue& queue, std::size_t number, int first_row,
-                             int rows) const {
-        std::vector<Texel> texels(Size{size_.width, rows}.pixels());
+                             std::size_t rows) const {
+        std::vector<Texel> texels(width() * rows);
         const auto row =
             number * static_cast<std::size_t>(size_.height) + static_cast<std::size_t>(first_row);
-        queue.enqueueReadImage(images_[0], CL_TRUE, {0, row, 0}, {width(), static_cast<std::size_t>(rows), 1},
-                               0, 0, texels.data());
+        queue.enqueueReadImage(images_[0], CL_TRUE, {0, row, 0}, {width(), rows, 1}, 0, 0, texels.data());
         return texels;
     }
     std::size_t width() const { return static_cast<std::size_t>(size_.width); }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
-#include <vector>
 
 #include "core/image/image.h"
 #include "core/render/counted_rows.h"
@@ -26,8 +26,8 @@ class FilmStore {
     virtual void clear(const cl::CommandQueue& queue) = 0;
     /// Adds the tallies of a launch.
     virtual void add(Launcher& launcher, const cl::Buffer& tallies, const EngineLaunch& launch) = 0;
-    /// These rows: a large film would take twice its size on the host at once.
-    virtual std::vector<FilmPixel> read(const cl::CommandQueue& queue, int first_row, int rows) = 0;
+    /// As many rows as `pixels` has.
+    virtual void read(const cl::CommandQueue& queue, int first_row, std::span<FilmPixel> pixels) = 0;
     virtual std::uint64_t bytes() const = 0;
 };
 

@@ -119,6 +119,7 @@ const std::vector<Integrator>& integrators() {
          .summary = "pt_nee with light tracing: caustics are shown to the camera by paths from lamps",
          .machinery = &engine_machinery,
          .meshes = true,
+         .rays_wait = true,
          .samples_lamps = true,
          .independent_pixels = false,
          .truth = "pt"},

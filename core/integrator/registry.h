@@ -37,10 +37,10 @@ struct Integrator {
     bool spheres = true;                         ///< sees spheres
     bool lists_rays =
         false;  ///< its samples are rays of a list, judged one by one, and its picture is no light
-    bool two_dimensional = false;    ///< its work units are pixels, so a 2-D work-group means something
-    bool rays_wait = false;          ///< on GPUs all its rays wait for others of their warp in a tree
-    bool samples_lamps = false;      ///< asks lamps for their light
-    bool only_asks = false;          ///< finds no light at matte surfaces that it cannot ask for
+    bool two_dimensional = false;  ///< its work units are pixels, so a 2-D work-group means something
+    bool rays_wait = false;      ///< on GPUs rays of its paths from the camera wait for each other in a tree
+    bool samples_lamps = false;  ///< asks lamps for their light
+    bool only_asks = false;      ///< finds no light at matte surfaces that it cannot ask for
     bool counts_full_length = true;  ///< its film counts samples and full-length paths
 
     /// No path adds to two pixels, nor is a picture made of differences: the error of a pixel follows from

@@ -18,7 +18,7 @@ void SplatStore::clear(const cl::CommandQueue& queue) const {
     queue.enqueueFillBuffer(splats_, 0u, 0, bytes());
 }
 
-std::uint64_t SplatStore::add_to(std::vector<FilmPixel>& pixels, const cl::CommandQueue& queue,
+std::uint64_t SplatStore::add_to(std::span<FilmPixel> pixels, const cl::CommandQueue& queue,
                                  int first_row) const {
     std::vector<Splat> splats(pixels.size());
     queue.enqueueReadBuffer(splats_, CL_TRUE, Size{size_.width, first_row}.pixels() * sizeof(Splat),

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "core/image/image.h"
 #include "core/ocl/device.h"
@@ -18,7 +18,7 @@ class SplatStore {
     void clear(const cl::CommandQueue& queue) const;
     /// Adds what belongs to some pixels, of whole rows from `first_row` on, to their sums; returns their
     /// segments of paths from lamps.
-    std::uint64_t add_to(std::vector<FilmPixel>& pixels, const cl::CommandQueue& queue, int first_row) const;
+    std::uint64_t add_to(std::span<FilmPixel> pixels, const cl::CommandQueue& queue, int first_row) const;
     std::uint64_t bytes() const;
 
   private:

@@ -35,16 +35,22 @@ void add_pixel(FilmPixel& sum, const FilmPixel& other) {
 
 }  // namespace
 
-void add_sums(FilmSums& sums, const FilmSums& other) {
-    if (sums.size != other.size || sums.scale != other.scale || sums.has_variance != other.has_variance ||
-        sums.pixels.size() != other.pixels.size())
+void add_facts(FilmFacts& sums, const FilmFacts& others) {
+    if (sums.size != others.size || sums.scale != others.scale || sums.has_variance != others.has_variance)
         throw std::invalid_argument("films of two images do not add up");
-    for (std::size_t i = 0; i < sums.pixels.size(); ++i) add_pixel(sums.pixels[i], other.pixels[i]);
-    sums.light_segments += other.light_segments;
+    sums.light_segments += others.light_segments;
 }
 
-void store_pixels(const std::vector<FilmPixel>& pixels, std::size_t first, const FilmScale& scale,
-                  Film& film) {
+void add_pixels(std::span<FilmPixel> sums, std::span<const FilmPixel> others) {
+    for (std::size_t i = 0; i < sums.size(); ++i) add_pixel(sums[i], others[i]);
+}
+
+void add_sums(FilmSums& sums, const FilmSums& others) {
+    add_facts(sums.facts, others.facts);
+    add_pixels(sums.pixels, others.pixels);
+}
+
+void store_pixels(std::span<const FilmPixel> pixels, std::size_t first, const FilmScale& scale, Film& film) {
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const FilmPixel& pixel = pixels[i];
         const double n = pixel.samples;
@@ -72,9 +78,9 @@ Film empty_film(Size size, bool has_variance) {
 }
 
 Film film_of(const FilmSums& sums) {
-    Film film = empty_film(sums.size, sums.has_variance);
-    store_pixels(sums.pixels, 0, sums.scale, film);
-    film.light_segments = sums.light_segments;
+    Film film = empty_film(sums.facts.size, sums.facts.has_variance);
+    store_pixels(sums.pixels, 0, sums.facts.scale, film);
+    film.light_segments = sums.facts.light_segments;
     FilmHash hash;
     hash.add(std::span<const FilmPixel>(sums.pixels));
     film.hash = hash.text();

@@ -94,7 +94,8 @@ class PartRender : public Render {
     virtual void take(PartRange parts) = 0;
     /// Of what was taken, those not rendered yet.
     virtual PartRange parts_left() const = 0;
-    virtual FilmSums read_sums() = 0;
+    /// Into as many pixels as the image has.
+    virtual FilmFacts read_sums(std::span<FilmPixel> pixels) = 0;
 };
 
 /// The four timestamps of finished events; zeros where the device does not profile.

@@ -1,6 +1,7 @@
 /* `pt_lt`: `pt_nee` with light tracing of caustics. Light that comes from a lamp by mirrors or glass to a matte surface is found by
    no shadow ray; so paths start at lamps, too, see "Robust Monte Carlo Methods for Light Transport Simulation", by E. Veach, and
    those that meet a mirror or glass first are shown to the camera at every matte surface from there on. */
+#define PATH_ASKS
 #define ENGINE_SPLATS
 #define PATH_ODDS
 #include "bdpt/join.h"

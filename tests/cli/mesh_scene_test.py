@@ -65,7 +65,7 @@ class MeshScenes(CliTest):
         self.assertEqual(schema_errors(SOURCE / "configs/schema/result.schema.json", self.scratch.work / "run/result.json"), "")
 
     def test_lanes_that_wait_for_each_other_trace_the_same_paths(self):
-        for kernel in ("pt", "direct", "pt_nee"):
+        for kernel in ("pt", "direct", "pt_nee", "pt_lt"):
             text = (SOURCE / f"kernels/{kernel}/{kernel}.cl").read_text()
             self.scratch.write(f"kernels/{kernel}/{kernel}.cl", "#define SCENE_PAUSES\n" + text)  # as on GPUs
             words = (*changed(ONE, kernel=kernel, path_length=5, spp=16), "--scene", "cornell", "-a", "roulette=albedo",

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "bench/together/nameless_file.h"
-#include "bench/worker/film_file.h"
 #include "bench/worker/identity.h"
 #include "bench/worker/process.h"
 #include "core/input/json.h"
@@ -68,10 +67,7 @@ class ScriptedChannel : public Channel {
         if (gives) {
             if (!std::exchange(script_.has_given, true)) script_.one_given.count_down();
             answer.kind = Response::Kind::film_given;
-            FilmSums sums;
-            sums.size = size_;
-            sums.pixels.resize(size_.pixels());
-            write_film(request.film_file, sums);
+            answer.film = FilmFacts{size_};
         }
         return reply;
     }
@@ -109,15 +105,17 @@ TEST(PictureCrew, what_was_delivered_is_kept_when_all_devices_are_gone) {
 }
 
 TEST(NamelessFile, is_written_by_another_process_and_is_in_no_folder) {
-    for (const std::uint64_t room_bytes :
-         {std::uint64_t{1}, ~std::uint64_t{0}}) {  // in memory, and where there is none
-        const NamelessFile file(room_bytes);
+    const fs::path temporary = fs::temp_directory_path();
+    for (const std::vector<fs::path>& folders : {places_for_films(), {"/nowhere", temporary}}) {
+        const NamelessFile file(5, folders);
+        EXPECT_EQ(fs::file_size(file.path()), 5u);
         WorkerProcess other({{"/bin/sh", "-c", "echo film >" + file.path().string() + "; echo written"}, {}});
         std::string line;
         ASSERT_EQ(other.read_line(line, std::chrono::seconds(60)), ReadStatus::line);
         EXPECT_EQ(read_text(file.path()), "film\n");
         EXPECT_FALSE(fs::exists(fs::read_symlink(file.path())));
     }
+    EXPECT_THROW(NamelessFile(std::uint64_t{1} << 60, {temporary}), std::runtime_error) << "no room";
 }
 
 }  // namespace

@@ -63,8 +63,7 @@ class PictureFolderTest : public testing::Test {
         return ranges;
     }
     static FilmSums film(ptb_long radiance) {
-        FilmSums sums{{2, 1}, {0, 0}, false};
-        sums.pixels.resize(2);
+        FilmSums sums{{{2, 1}, {0, 0}}, std::vector<FilmPixel>(2)};
         sums.pixels[0].radiance[0] = radiance;
         sums.pixels[0].samples = 1;
         return sums;

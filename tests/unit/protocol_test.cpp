@@ -35,10 +35,10 @@ TEST(Protocol, requests_survive_the_line) {
     Request share = run_request(), parts, film;
     share.kind = Request::Kind::share_picture;
     share.cut = RunCut{21, 512};
+    share.film_file = "/proc/7/fd/3";
     parts.kind = Request::Kind::render_parts;
     parts.parts = {1'000'000'000'000, 1'000'000'000'007};
     film.kind = Request::Kind::give_film;
-    film.film_file = "/dev/shm/0";
     for (const Request& request : {open, run_request(), estimate, peaks, render, stop, share, parts, film}) {
         const auto line = to_line(request);
         EXPECT_THAT(line, EndsWith("}\n"));
@@ -66,7 +66,9 @@ TEST(Protocol, responses_survive_the_line) {
     Response peaks;
     peaks.kind = Response::Kind::peaks;
     peaks.peaks = {{"fma", "GFLOP/s", 100, 99, 101, 10, "event", ""}, {"sqrt", "", {}, {}, {}, 0, "", "no"}};
-    Response pixels, rendered, refused;
+    Response pixels, rendered, refused, given;
+    given.kind = Response::Kind::film_given;
+    given.film = FilmFacts{{640, 480}, {24, -3}, true, 7};
     pixels.kind = Response::Kind::pixels;
     pixels.first_row = 12;
     pixels.rgb = "AAAA";
@@ -75,7 +77,7 @@ TEST(Protocol, responses_survive_the_line) {
     refused.kind = Response::Kind::refused;
     refused.reason = "too large";
     for (const Response& response :
-         {ready, progress, failed, done, estimate, peaks, pixels, rendered, refused})
+         {ready, progress, failed, done, estimate, peaks, pixels, rendered, refused, given})
         EXPECT_EQ(parse_response(to_line(response)), response);
 }
 
