@@ -26,6 +26,7 @@ struct Search {
     uint entry[3], exit[3];           /* of a node's floats, the planes where the ray enters boxes, and leaves them */
     uint axis[3];                     /* of the shear: across, down, and along the ray */
     float across, down, along;        /* shares of the third coordinate in the others, and distance by it */
+    float along_across, along_down;   /* what distance by it lacks where the others are not 0 */
     Found found;
     uint left, target;
     uint at, height;
@@ -53,6 +54,8 @@ static inline void search_aim(Tree tree, Search* s, Vec origin, Vec direction) {
     s->along = 1.0f / d[along];
     s->across = d[across] * s->along;
     s->down = d[down] * s->along;
+    s->along_across = d[across] * d[along];
+    s->along_down = d[down] * d[along];
 }
 
 /* Eight floats that lie as vectors do. (vload8 is two loads with PoCL.) */
@@ -168,6 +171,12 @@ static inline Corner corner_seen(const Search* s, __global const float* block, u
     return corner;
 }
 
+/* How far along the ray a corner is, over `along`. In a long thin triangle the point met is not quite on the ray, and so may be nearer
+   or farther than where it is seen. */
+static inline float8 corner_along(const Search* s, Corner corner, float8 z) {
+    return z + s->along_across * corner.x + s->along_down * corner.y;
+}
+
 static inline void search_leaf(Tree tree, Search* s, const SearchStack* stack, const bool any COUNTED_PARAMETER) {
     COUNTED(8u, TREE_TRIANGLE_WORK)
     COUNTED_STEPS(PTB_COUNTED_TRIANGLES, 8u)
@@ -181,7 +190,8 @@ static inline void search_leaf(Tree tree, Search* s, const SearchStack* stack, c
     if (bits_of_mask(through) != 0u) {
         COUNTED(8u, TREE_POINT_WORK)
         const float8 inverse = 1.0f / edges.sum;
-        const float8 distance = (edges.a * z0 + edges.b * z1 + edges.c * z2) * inverse * s->along;
+        const float8 way = edges.a * corner_along(s, a, z0) + edges.b * corner_along(s, b, z1) + edges.c * corner_along(s, c, z2);
+        const float8 distance = way * inverse * s->along;
         const uint8 numbers = vload8(9, (__global const uint*)block);
         const int8 meets = through & (distance > 0.0f) & (distance < s->found.distance) & (numbers != s->left) & (numbers != s->target);
         uint met = bits_of_mask(meets);

@@ -104,10 +104,10 @@
    and the step through a dielectric. */
 #ifdef SCENE_TREE
 #if SCENE_TREE == 8
-#define TREE_AIM_WORK 5u, 0u, 4u, 0u
+#define TREE_AIM_WORK 7u, 0u, 4u, 0u
 #define TREE_NODE_WORK (8u * 6u * 2u), 0u, 0u, (uint)sizeof(TreeNode8)
 #define TREE_TRIANGLE_WORK (9u + 6u * 2u + 11u), 0u, 0u, (3u * 3u * 4u)
-#define TREE_POINT_WORK 9u, 0u, 1u, 4u
+#define TREE_POINT_WORK 21u, 0u, 1u, 4u
 #else
 #ifdef TREE_QUANTISED
 #define TREE_AIM_WORK (15u + 21u), 0u, 4u, 0u

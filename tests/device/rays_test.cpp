@@ -99,6 +99,48 @@ TEST(Rays, meet_the_nearest_triangle) {
     }
 }
 
+/// Along the ray to the triangle's plane, and what single precision may add to it: half of what validation
+/// allows.
+struct PlaneMet {
+    double distance, error;
+};
+
+PlaneMet plane_of(const Triangle& triangle, const ListedRay& ray) {
+    const auto corner = [&](std::size_t i) {
+        const auto& [x, y, z] = triangle.corners[i];
+        return Vec3{x, y, z};
+    };
+    const auto &o = ray.origin_left, &d = ray.direction_reach;
+    const Vec3 origin{o.x, o.y, o.z}, direction{d.x, d.y, d.z};
+    const Vec3 normal = normalized(cross(corner(1) - corner(0), corner(2) - corner(0)));
+    const double slope = dot(normal, direction), way = dot(normal, corner(0) - origin);
+    const double coordinates = largest_coordinate(corner(0)) + largest_coordinate(origin);
+    return {way / slope, 0x1p-21 * coordinates * (1 + 1 / std::abs(slope))};
+}
+
+TEST(Rays, are_told_how_far_long_thin_triangles_are) {
+    const Triangles thin = slivers(2000);
+    Dice dice(11);
+    std::vector<ListedRay> rays;
+    for (int i = 0; i < 20'000; ++i) {
+        const Triangle& triangle = thin[static_cast<std::size_t>(i) % thin.size()];
+        const double b = dice.uniform(), c = (1 - b) * dice.uniform();
+        rays.push_back(aimed({1.5 - 3 * dice.uniform(), 1.2, -2.3}, point_of(triangle, b, c)));
+    }
+    on_every_tree(thin, "", [&](RayList& list) {
+        const std::vector<ListedHit> hits = list.met(rays);
+        int met = 0, wrong = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            if (hits[i].triangle == TREE_NOTHING) continue;
+            const PlaneMet truth = plane_of(thin.at(hits[i].triangle), rays[i]);
+            ++met;
+            wrong += !(std::abs(hits[i].distance - truth.distance) <= truth.error);
+        }
+        EXPECT_GT(met, 19'000);
+        EXPECT_EQ(wrong, 0) << "of " << met;
+    });
+}
+
 TEST(Rays, do_not_meet_the_triangle_that_they_start_at_nor_what_is_out_of_reach) {
     const Triangles walls = room(1);
     std::vector<ListedRay> rays = random_rays(1000, 0.9);
