@@ -6,6 +6,8 @@
 
 namespace ptb::ocl {
 
+bool takes_nvidia_options(const Device& device) { return device.info.platform == "NVIDIA CUDA"; }
+
 namespace {
 
 std::string build_log(const cl::Program& program, const cl::Device& device) {
@@ -20,9 +22,7 @@ std::string build_log(const cl::Program& program, const cl::Device& device) {
 }
 
 /// Asks NVIDIA's compiler for registers and spills; the code is the same.
-std::string asked_log(const Device& device) {
-    return device.info.platform == "NVIDIA CUDA" ? " -cl-nv-verbose" : "";
-}
+std::string asked_log(const Device& device) { return takes_nvidia_options(device) ? " -cl-nv-verbose" : ""; }
 
 std::optional<std::uint64_t> number_between(std::string_view text, std::string_view before,
                                             std::string_view after) {

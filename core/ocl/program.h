@@ -19,6 +19,9 @@ struct Program {
     std::string log;  ///< the driver's, warnings included
 };
 
+/// Whether NVIDIA's compiler is the device's, with options of its own.
+bool takes_nvidia_options(const Device& device);
+
 /// Compiles and links. Throws BuildError with the driver's log when the text does not compile, Error
 /// otherwise.
 Program build(const Device& device, const KernelSource& source, const std::string& options);

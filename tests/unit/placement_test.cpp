@@ -12,6 +12,7 @@
 namespace ptb {
 namespace {
 
+using testing::AllOf;
 using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -149,6 +150,20 @@ TEST(EngineOptions, let_paths_carry_gaps_only_where_and_while_their_error_is_bea
     scene.spheres.push_back({{0, -1e6 - 1, 0}, 1e6, 1});
     EXPECT_THAT(gpu_options(scene, 2), Not(HasSubstr("-DSCENE_CARRIED")));
     EXPECT_THAT(gpu_options(scene, 2), HasSubstr("-DSCENE_CAREFUL_BEGIN=1u -DSCENE_CAREFUL_END=2u"));
+}
+
+TEST(EngineOptions, leave_room_for_a_third_group_where_lanes_wait_for_each_other_on_nvidias_gpus) {
+    ocl::Device device;
+    device.info.type = "GPU";
+    const auto options = [&](const std::string& kernel, const std::string& scene) {
+        return integrator(kernel).options(device, shipped(scene), {});
+    };
+    const std::string limit = "-cl-nv-maxrregcount=80";
+    EXPECT_THAT(options("pt_nee", "cornell"), AllOf(HasSubstr("-DSCENE_PAUSES"), Not(HasSubstr(limit))));
+    device.info.platform = "NVIDIA CUDA";
+    EXPECT_THAT(options("pt_nee", "cornell"), HasSubstr(limit));
+    EXPECT_THAT(options("whitted", "cornell"), Not(HasSubstr(limit)));
+    EXPECT_THAT(options("pt_nee", "thesis"), Not(HasSubstr(limit)));
 }
 
 }  // namespace
