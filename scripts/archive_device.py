@@ -4,7 +4,7 @@
 usage: archive_device.py PTBENCH VENDOR/NAME [-d DEVICE[,DEVICE...]] [--seconds N] [--runs quick,speed,...] [--folder ARCHIVE]
 
 Runs what stands in RUNS, or in RUNS_TOGETHER for several devices, all of it in about N seconds [500] and what compiling takes,
-on DEVICE [0] of `ptbench list`; on a GPU at its sizes. Leaves result.json of each, and of one device the first's picture, in results/archive/VENDOR/NAME/RUN, cut as
+on DEVICE [0] of `ptbench list`; on a GPU at its sizes. Leaves result.json of each, and the picture of `quick`, in results/archive/VENDOR/NAME/RUN, cut as
 results/README.md says, and the device's line in README.md. scripts/archive.py checks it all and makes the page."""
 
 import argparse
@@ -118,7 +118,7 @@ def main():
     gpu = are_gpus(ptbench, devices)
     runs = options.runs.split(",") if options.runs else list(RUNS if len(devices) == 1 else RUNS_TOGETHER)
     for run in runs:
-        result = measure(ptbench, folder, words_of(run, options, gpu), run == runs[0] and len(devices) == 1)
+        result = measure(ptbench, folder, words_of(run, options, gpu), run == next(iter(RUNS)))
     put_line(options.folder / "README.md", options.name, line(options, result))
 
 
