@@ -55,8 +55,9 @@ def file_faults(file):
 
 
 def device_faults(folder, readme):
-    """A device has a picture, and a line in the README."""
-    if not list(folder.glob("*/*.png")):
+    """A device has a picture, and a line in the README. Several that were measured together have theirs where one is alone."""
+    alone = any(len(json.loads(file.read_text(encoding="utf-8"))["devices"]) == 1 for file in folder.glob("*/result.json"))
+    if alone and not list(folder.glob("*/*.png")):
         yield "none of its runs has its picture"
     if f"`{folder.parent.name}/{folder.name}`" not in readme:
         yield "README.md has no line for it"
