@@ -54,10 +54,14 @@ def file_faults(file):
     return faults
 
 
+def is_of_one(file):
+    devices = json.loads(file.read_text(encoding="utf-8"))["devices"]
+    return sum(not device["excluded"] for device in devices) == 1
+
+
 def device_faults(folder, readme):
     """A device has a picture, and a line in the README. Several that were measured together have theirs where one is alone."""
-    alone = any(len(json.loads(file.read_text(encoding="utf-8"))["devices"]) == 1 for file in folder.glob("*/result.json"))
-    if alone and not list(folder.glob("*/*.png")):
+    if any(is_of_one(file) for file in folder.glob("*/result.json")) and not list(folder.glob("*/*.png")):
         yield "none of its runs has its picture"
     if f"`{folder.parent.name}/{folder.name}`" not in readme:
         yield "README.md has no line for it"
@@ -66,7 +70,7 @@ def device_faults(folder, readme):
 def all_faults(folder, files):
     readme = (folder / "README.md").read_text(encoding="utf-8")
     found = [f"{file}: {fault}" for file in files for fault in file_faults(file)]
-    for device in sorted({file.parents[1] for file in files}):
+    for device in sorted({file.parents[1] for file in files}) if not found else ():
         found += [f"{device}: {fault}" for fault in device_faults(device, readme)]
     misplaced = set(folder.rglob("*.json")) - set(files)
     return found + [f"{file}: not VENDOR/DEVICE/RUN/result.json" for file in sorted(misplaced)]

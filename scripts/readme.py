@@ -59,12 +59,13 @@ def plain(cell):
 
 
 def board_rows():
-    """Of the first ranking in the archive's page: place, device, value and how it was measured."""
+    """Of the first ranking in the archive's page: place, device, value and how it was measured. Of several equal devices that
+    were measured together, which have their keys there, none."""
     page = (ROOT / "results/archive/index.html").read_text(encoding="utf-8")
     table = re.search(r'<table class="board">.*?</table>', page, re.S).group()
-    for row in re.findall(r"<tr><td.*?</tr>", table):
-        place, device, _, value, how = re.split(r"<td[^>]*>", row)[1:]
-        yield [plain(cell) for cell in (place, device, value, how)]
+    rows = [[plain(cell) for cell in re.split(r"<td[^>]*>", row)[2:]] for row in re.findall(r"<tr><td.*?</tr>", table)]
+    alone = [row for row in rows if not row[0].startswith("[")]
+    return [[str(place), device, value, how] for place, (device, _, value, how) in enumerate(alone, 1)]
 
 
 def board_again(match):

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <future>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,14 +14,18 @@
 
 namespace ptb {
 
+/// Where a worker puts its film.
+struct FilmRoom {
+    explicit FilmRoom(Size size) : file(SharedPixels::bytes(size)), pixels(file.path(), size) {}
+
+    NamelessFile file;
+    SharedPixels pixels;
+};
+
 /// One device of a crew. What talks to its worker runs in its own thread, which no worker outlives.
 struct CrewMember {
-    CrewMember(const DeviceInfo& its_device, const OpenChannel& open, const MeasureOptions& measure,
-               Size size)
-        : device(its_device),
-          worker(its_device, open, measure),
-          film_file(SharedPixels::bytes(size)),
-          film(film_file.path(), size) {}
+    CrewMember(const DeviceInfo& its_device, const OpenChannel& open, const MeasureOptions& measure)
+        : device(its_device), worker(its_device, open, measure) {}
     ~CrewMember() {
         start([this] { worker.close(); }).wait();
     }
@@ -37,8 +42,7 @@ struct CrewMember {
 
     DeviceInfo device;
     DeviceWorker worker;
-    NamelessFile film_file;  ///< where its worker puts its film
-    SharedPixels film;
+    std::optional<FilmRoom> film;
     int workers_left = 2;     ///< that may be started: one may die
     std::string gone{};       ///< why it makes nothing any more
     bool is_sharing = false;  ///< its worker knows the picture

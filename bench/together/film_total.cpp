@@ -1,5 +1,6 @@
 #include "bench/together/film_total.h"
 
+#include <stdexcept>
 #include <utility>
 
 namespace ptb {
@@ -15,6 +16,7 @@ void FilmTotal::add_facts_of(const FilmFacts& facts) {
 }
 
 void FilmTotal::add(const FilmFacts& facts, std::span<const FilmPixel> pixels, std::size_t who) {
+    if (pixels.size() != pixels_.size()) throw std::invalid_argument("the film is of another size");
     add_facts_of(facts);
     const std::span<FilmPixel> sums = pixels_;
     for (std::size_t i = 0; i < stripes; ++i) {

@@ -84,7 +84,7 @@ struct PictureCrew::Impl {
             throw UsageError(reason);
         const OpenChannel alone = one_at_a_time(open);
         for (const DeviceInfo& device : job.devices)
-            members.push_back(std::make_unique<CrewMember>(device, alone, job.measure, job.params.size));
+            members.push_back(std::make_unique<CrewMember>(device, alone, job.measure));
         on_all([this](CrewMember& member, std::size_t) { build(member); });
         for (auto& member : members)
             if (!cut) member->start([this, &m = *member] { begin(m); }).get();
@@ -145,8 +145,9 @@ struct PictureCrew::Impl {
         return params;
     }
 
-    /// Compiles, and learns how fast the device is.
+    /// Makes room for its film, compiles, and learns how fast the device is.
     void build(CrewMember& member) {
+        member.film.emplace(job.params.size);
         while (member.gone.empty())
             if (ask(member, request_of(Request::Kind::estimate, params_of(member)))) return;
     }
@@ -155,7 +156,7 @@ struct PictureCrew::Impl {
     bool begin(CrewMember& member) {
         Request request = request_of(Request::Kind::share_picture, params_of(member));
         request.cut = cut;
-        request.film_file = member.film_file.path().string();
+        request.film_file = member.film->file.path().string();
         while (member.gone.empty() && !member.is_sharing) {
             const auto sharing = ask(member, request);
             if (!sharing) continue;
@@ -248,7 +249,7 @@ void PictureCrew::Impl::deliver(CrewMember& member, std::size_t index, HandOut& 
         hand_out.lost(index);
         return;
     }
-    total.add(given->film.value(), member.film.all(), index);
+    total.add(given->film.value(), member.film->pixels.all(), index);
     member.busy_s += std::exchange(member.kept_s, 0);
     member.device_s += std::exchange(member.kept_device_s, 0);
     hand_out.delivered(index);

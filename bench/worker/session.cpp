@@ -160,8 +160,8 @@ class DeviceSession : public WorkerSession {
         response.kind = Response::Kind::sharing;
         try {
             parts_.reset();  // frees the device's memory
-            parts_ = bench_->parts(request.params, request.cut);
             film_.emplace(request.film_file, request.params.size);
+            parts_ = bench_->parts(request.params, request.cut);
             response.cut = parts_->cut();
             response.part_count = parts_->count();
             response.ns_per_sample = bench_->estimate(request.params);

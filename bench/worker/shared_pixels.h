@@ -13,7 +13,7 @@ namespace ptb {
 /// A film's pixels in a file that a worker and its coordinator have in their memory at once.
 class SharedPixels {
   public:
-    /// Throws std::runtime_error where the file cannot be mapped, or is smaller than the pixels.
+    /// Throws std::runtime_error where the file cannot be mapped, or is not of so many pixels.
     SharedPixels(const std::filesystem::path& file, Size size);
     std::span<FilmPixel> all() const;
 

@@ -42,6 +42,7 @@ void add_facts(FilmFacts& sums, const FilmFacts& others) {
 }
 
 void add_pixels(std::span<FilmPixel> sums, std::span<const FilmPixel> others) {
+    if (sums.size() != others.size()) throw std::invalid_argument("films of two sizes do not add up");
     for (std::size_t i = 0; i < sums.size(); ++i) add_pixel(sums[i], others[i]);
 }
 

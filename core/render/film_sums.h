@@ -36,7 +36,7 @@ struct FilmSums {
 void add_facts(FilmFacts& sums, const FilmFacts& others);
 void add_sums(FilmSums& sums, const FilmSums& others);
 
-/// Adds those of others to as many pixels.
+/// Adds those of others to as many pixels. Throws std::invalid_argument where they are not as many.
 void add_pixels(std::span<FilmPixel> sums, std::span<const FilmPixel> others);
 
 /// The picture and the counts of some pixels, added to `film` from pixel `first` on, with the variance where

@@ -32,6 +32,12 @@ class Together(CliTest):
                 alone = self.picture(*words, "-d", "0")
                 self.assertEqual(self.picture(*words, *BOTH), alone)
 
+    def test_a_film_of_several_bands_has_the_bits_of_one(self):
+        for kernel in ("pt", "bdpt"):
+            with self.subTest(kernel):
+                words = ("render", "--size", "4x600", "--spp", "4", "--path-length", "4", "--kernel", kernel)
+                self.assertEqual(self.picture(*words, *BOTH), self.picture(*words, "-d", "0"))
+
     def test_every_part_is_made_once_and_it_is_said_by_whom(self):
         said = self.run_ok(*WORK, *BOTH, "-o", "x.pfm").stderr
         ranges = self.ranges()

@@ -1,5 +1,6 @@
 #include "bench/together/film_total.h"
 
+#include <span>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -44,6 +45,8 @@ TEST(FilmTotal, has_nothing_where_no_film_came_and_takes_none_of_another_image) 
     FilmFacts scaled = facts;
     scaled.scale.radiance = 4;
     EXPECT_THROW(total.add(scaled, film(1), 1), std::invalid_argument);
+    const std::vector<FilmPixel> whole = film(1);
+    EXPECT_THROW(total.add(facts, std::span(whole).first(7), 1), std::invalid_argument);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "bench/together/nameless_file.h"
 #include "bench/worker/identity.h"
 #include "bench/worker/process.h"
+#include "bench/worker/shared_pixels.h"
 #include "core/input/json.h"
 
 namespace ptb {
@@ -115,7 +116,18 @@ TEST(NamelessFile, is_written_by_another_process_and_is_in_no_folder) {
         EXPECT_EQ(read_text(file.path()), "film\n");
         EXPECT_FALSE(fs::exists(fs::read_symlink(file.path())));
     }
-    EXPECT_THROW(NamelessFile(std::uint64_t{1} << 60, {temporary}), std::runtime_error) << "no room";
+    EXPECT_THROW(NamelessFile(~std::uint64_t{0}, {temporary}), std::runtime_error) << "no room";
+}
+
+TEST(SharedPixels, are_those_of_the_file_and_none_of_a_file_of_another_size) {
+    const Size size{3, 5};
+    const NamelessFile file(SharedPixels::bytes(size));
+    const SharedPixels here(file.path(), size), there(file.path(), size);
+    ASSERT_EQ(here.all().size(), size.pixels());
+    here.all().back().samples = 7;
+    EXPECT_EQ(there.all().back().samples, 7u);
+    EXPECT_THROW(SharedPixels(file.path(), {3, 6}), std::runtime_error);
+    EXPECT_THROW(SharedPixels("/nowhere", size), std::runtime_error);
 }
 
 }  // namespace
