@@ -109,8 +109,7 @@ TreeSettings settings_of(const Variant& variant, TreeLayout layout) {
 constexpr int stack_step = 16;
 
 /// NVIDIA's runtime takes groups of 256 where none are asked for, and more than 80 registers a lane leave
-/// room for two of them in place of three (H200, knot: pt_nee 45.2 -> 36.9 ms,
-/// pt_lt 48.6 -> 41.3; others have no more of themselves).
+/// room for two of them in place of three (H200, knot: pt_nee 45.2 -> 36.9 ms, pt_lt 48.6 -> 41.3).
 std::string register_option(const Integrator& row, const ocl::Device& device) {
     return row.rays_wait && ocl::takes_nvidia_options(device) ? " -cl-nv-maxrregcount=80" : "";
 }

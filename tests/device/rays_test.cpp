@@ -106,15 +106,11 @@ struct PlaneMet {
 };
 
 PlaneMet plane_of(const Triangle& triangle, const ListedRay& ray) {
-    const auto corner = [&](std::size_t i) {
-        const auto& [x, y, z] = triangle.corners[i];
-        return Vec3{x, y, z};
-    };
-    const auto &o = ray.origin_left, &d = ray.direction_reach;
-    const Vec3 origin{o.x, o.y, o.z}, direction{d.x, d.y, d.z};
-    const Vec3 normal = normalized(cross(corner(1) - corner(0), corner(2) - corner(0)));
-    const double slope = dot(normal, direction), way = dot(normal, corner(0) - origin);
-    const double coordinates = largest_coordinate(corner(0)) + largest_coordinate(origin);
+    const Ray seen = on_host(ray);
+    const Vec3 origin = to_vec3(seen.origin), corner = to_vec3(triangle.corners[0]);
+    const Vec3 normal = normalized(normal_of(triangle));
+    const double slope = dot(normal, to_vec3(seen.direction)), way = dot(normal, corner - origin);
+    const double coordinates = largest_coordinate(corner) + largest_coordinate(origin);
     return {way / slope, 0x1p-21 * coordinates * (1 + 1 / std::abs(slope))};
 }
 
